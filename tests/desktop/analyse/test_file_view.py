@@ -97,6 +97,9 @@ def test_a_drag_scrolls_and_a_click_goes_there(desktop, panel):
     at = panel.view._layout.time_at(LEFT + 50)
     QTest.mouseClick(panel.view, Qt.MouseButton.LeftButton, pos=QPoint(LEFT + 50, 20))
     assert desktop.session.source.position == pytest.approx(at, abs=0.02)
+    kept = panel.view.grab().toImage()
+    desktop.session.labels.changed.emit()
+    assert panel.view.grab().toImage() == kept  # all is painted anew
 
 
 def test_shift_and_a_drag_select_and_the_button_shows_what_is_selected(desktop, panel):

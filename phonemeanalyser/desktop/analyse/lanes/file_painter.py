@@ -1,8 +1,8 @@
 """How the view of a file is painted: sonagram, phonemes, labels, waveform, and the course of a variable."""
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRect, QRectF, Qt
-from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPolygonF
+from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPixmap, QPolygonF
 from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.analyse.lanes.course_lanes import CourseLanes
@@ -35,7 +35,7 @@ SAMPLES_APART, DOTTED_APART = 0.5, 2.5
 
 
 class FilePainter:
-    """Paints what is seen of the file.
+    """Paints what is seen of the file; all but selection, playhead and reading is kept as a picture until it changes.
 
     Parameters
     ----------
@@ -60,23 +60,55 @@ class FilePainter:
         self._names = [
             name if state is not FrameState.UNKNOWN else "" for state in FrameState for name in names_in_lanes()
         ]
+        self._picture = QPixmap()
+        self._shows: tuple[object, ...] = ()
+        self._courses_differ = False
 
-    def paint(self, painter: QPainter, reading: str, exposed: QRect) -> None:
-        """Paint all rows, or the courses if no more is exposed, the selection, the playhead, and a reading."""
+    def renew(self, *, courses_only: bool = False) -> None:
+        """Paint the rows anew the next time, or only the courses."""
+        self._courses_differ |= courses_only
+        self._shows = self._shows if courses_only else ()
+
+    def paint(self, painter: QPainter, reading: str) -> None:
+        """Paint all rows, the selection, the playhead, and a reading."""
         rows = self._layout.rows()
         if self._view.duration <= 0:
             draw_text(painter, QRectF(self._widget.rect()), tr("No file"), self._theme.faint, 13, CENTRED)
             return
-        if exposed.top() < rows[3].top() - 1:
-            self._paint_above(painter)
-        self._courses.paint(painter, self._session.whole.tracks)
-        paint_times(painter, rows[3].bottom(), self._layout.axis, self._theme, self._widget.width())
+        painter.drawPixmap(0, 0, self._picture_of_rows(rows))
         self._paint_selection(painter, rows[3].bottom())
         x = self._layout.x_of(self._session.source.position)
         if LEFT <= x <= LEFT + self._layout.width and not self._session.seen.looks_back:
             painter.fillRect(QRectF(x - 0.5, 0, 1.5, rows[3].bottom()), QColor(self._theme.accent))
         if reading:
             self.sonagram.paint_note(painter, rows[0], reading, above=True)
+
+    def _picture_of_rows(self, rows: tuple[QRectF, ...]) -> QPixmap:
+        """Return the picture of all rows: the one that is kept, as far as it shows what is known now."""
+        session, widget = self._session, self._widget
+        tracks, ratio, ground = session.whole.tracks, widget.devicePixelRatioF(), widget.palette().window()
+        known = None if tracks is None else (id(tracks), tracks.n_written)
+        sides = session.preset.letter, session.second.names
+        shows = (widget.size(), ratio, ground.color(), self._view.seen, known, session.seen.looks_back, sides)
+        if shows == self._shows and not self._courses_differ:
+            return self._picture
+        is_new = shows != self._shows
+        self._shows, self._courses_differ = shows, False
+        if is_new:
+            self._picture = QPixmap((widget.size() * ratio).expandedTo(QSize(1, 1)))
+            self._picture.setDevicePixelRatio(ratio)
+        painter = QPainter(self._picture)
+        try:
+            painter.setFont(widget.font())
+            top = 0.0 if is_new else rows[3].top()
+            painter.fillRect(QRectF(0, top, widget.width(), widget.height() - top), ground)
+            if is_new:
+                self._paint_above(painter)
+            self._courses.paint(painter, tracks)
+            paint_times(painter, rows[3].bottom(), self._layout.axis, self._theme, widget.width())
+        finally:
+            painter.end()
+        return self._picture
 
     def _paint_above(self, painter: QPainter) -> None:
         """Paint the rows above the courses."""

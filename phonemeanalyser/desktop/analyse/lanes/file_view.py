@@ -95,8 +95,9 @@ class FileView(QWidget):
             session.waveform,
             session.labels,
         )
-        for signal in (*(model.changed for model in models), self._view.moved, self._view.selected):
-            signal.connect(self.update)
+        for signal in (*(model.changed for model in models), self._view.moved):
+            signal.connect(self._renew)
+        self._view.selected.connect(self.update)  # it lies over the rows, as the playhead and what is read out do
         courses.changed.connect(self._show_courses)
 
     def course_rows(self) -> dict[str, QRectF]:
@@ -108,21 +109,27 @@ class FileView(QWidget):
         n = len(self._courses.variables)
         if n != self._layout.n_courses:
             self._layout.n_courses = n
-            self.update()
+            self._renew()
         else:
+            self._painter.renew(courses_only=True)
             # at once: what a threshold that is dragged changes is recognised after that
             self.repaint(self._layout.rows()[-1].toAlignedRect().adjusted(-LEFT, 0, 0, 1))
 
     def show_spoken(self, lanes: list[Lane]) -> None:
         """Draw other lanes of what is said; those that a tier of labels of the same name shows are left out."""
         self._layout.spoken = lanes
+        self._renew()
+
+    def _renew(self) -> None:
+        """Paint the rows anew."""
+        self._painter.renew()
         self.update()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
+    def paintEvent(self, _event: QPaintEvent) -> None:
         """Paint all rows, what is selected, and the playhead."""
         painter = QPainter(self)
         try:
-            self._painter.paint(painter, self.reading(), event.rect())
+            self._painter.paint(painter, self.reading())
         finally:
             painter.end()  # whatever went wrong: Qt crashes where two paint one widget
 
