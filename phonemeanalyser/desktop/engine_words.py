@@ -463,6 +463,7 @@ def _in_language(text: str, _language: str) -> str:
     return text
 
 
+@lru_cache(4096)
 def _listed(text: str) -> tuple[str, dict[str, str]] | None:
     """Return which sentence of the engine a text is, and what it has in its places; None for another text."""
     for sentence in (*SENTENCES, *ERRORS):

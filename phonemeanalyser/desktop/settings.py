@@ -27,8 +27,10 @@ class Kept(Generic[T]):
         keep(settings, self.key, self.get())
 
     def restore(self, settings: QSettings) -> None:
-        """Choose what was kept."""
-        self.put(read(settings, self.key, self.get()))
+        """Choose what was kept; what is chosen already stays, and no view is told."""
+        chosen = self.get()
+        if (kept := read(settings, self.key, chosen)) != chosen:
+            self.put(kept)
 
 
 def keep(settings: QSettings, key: str, value: Any) -> None:

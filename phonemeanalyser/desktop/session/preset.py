@@ -270,10 +270,11 @@ class PresetModel(QObject):
 
     def set_bypassed(self, bypassed: bool) -> None:
         """Switch all filters off at once, or back to what they were."""
-        self.end_edit()
-        self.bypassed = bypassed
-        self.changed.emit()
-        self.end_edit()
+        if bypassed != self.bypassed:
+            self.end_edit()
+            self.bypassed = bypassed
+            self.changed.emit()
+            self.end_edit()
 
     def try_out(self, preset: Preset | None) -> None:
         """Analyse with another preset for a while, without changing the one in use; None ends that."""

@@ -246,13 +246,16 @@ class StyleModel(QObject):
 
     def restore(self, kept: dict[str, Any]) -> None:
         """Take up what was kept; a style that is not there any more is left out."""
+        before = self.side, self.amount, {**self.names}, {**self._edited}
         for name, text in dict(kept.get("edits", {})).items():
             tried(partial(self._take_edit, str(name), str(text)), self._tell)
         self.amount = min(max(float(kept.get("amount", 0.0)), 0.0), 1.0)
         for side, name in dict(kept.get("names", {})).items():
-            if side in self.names and (not name or str(name) in {*self.known, *self._saved} or Path(name).is_file()):
+            is_another = side in self.names and name != self.names[side]
+            if is_another and (not name or Path(name).is_file() or str(name) in {*self._saved, *self.known}):
                 self.choose(side, str(name))
-        self.edit_side("A")
+        if before != ("A", self.amount, self.names, self._edited):
+            self.edit_side("A")
 
     def _take_edit(self, name: str, text: str) -> None:
         self._load(name)

@@ -101,6 +101,7 @@ class TextPanel(QWidget):
         self._talking, self._texts, self._theme = talking, talking.text, theme
         self._spoken: tuple[Utterance, list[float], list[tuple[int, int]]] | None = None
         self._marked = (0, 0)
+        self._listed: object = None
         self.field = TextField()
         self.script = spoken_button(
             tr("Script…"), tr("Open the text of the recording: a text file, a TextGrid, or JSON with word times")
@@ -241,8 +242,13 @@ class TextPanel(QWidget):
 
     def _show_languages(self) -> None:
         """List the languages that were chosen last, then all; without a choice the one that is guessed is named."""
-        written = self._texts.written
-        names = {one.tag: tr(_short(one.name)) for one in self._texts.voice.installed.languages}
+        written, installed = self._texts.written, self._texts.voice.installed
+        listed = written.guess, written.language, tuple(written.recent), installed
+        if listed == self._listed:  # which are more than a hundred
+            self.language.setCurrentIndex(max(0, self.language.findData(written.language)))
+            return
+        self._listed = listed
+        names = {one.tag: tr(_short(one.name)) for one in installed.languages}
         none = tr(NO_LANGUAGE)
         if written.guess in names:
             none = tr("{language} (guessed)").format(language=names[written.guess])
