@@ -355,7 +355,7 @@ def ended_by_signals() -> Iterator[None]:
     before = signal.signal(signal.SIGTERM, end) if threading.current_thread() is threading.main_thread() else None
     try:
         yield
-    except KeyboardInterrupt:
+    except KeyboardInterrupt:  # the ordinary end: what writes files closes them
         pass
     finally:
         if before is not None:

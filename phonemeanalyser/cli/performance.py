@@ -5,6 +5,7 @@ import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TypeAlias
 
 from tqdm import tqdm
 
@@ -36,6 +37,7 @@ USUAL_MINUTES, MOST_MINUTES = 15.0, 600.0
 BAR = "{desc}: {n:.0f} %|{bar}| {elapsed}"
 LARGEST = 4 << 20
 """Bytes of a file of sentences."""
+Kinds: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
 
 EXAMPLES = (
     "phonemeanalyser performance make recorded --minutes 0.2",
@@ -89,80 +91,105 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "OpenFace; or NAME.glb, or NAME.osc of VMC messages, in place of the latter. See performance WHAT --help."
     )
     kinds = parser.add_subparsers(required=True, metavar="WHAT")
-    build = kinds.add_parser("build", help="make a table", description="Make a table from a folder of recordings.")
-    build.add_argument("folder", type=Path, metavar="FOLDER", help="folder of recordings")
-    build.add_argument("-o", "--out", type=file_place, required=True, metavar="T.sqlite", help="the table")
-    build.add_argument("--name", metavar="NAME", help="name of the table (default: the folder's)")
-    build.add_argument("--person", metavar="NAME", help="who speaks (default: as corpus.toml says)")
-    build.add_argument("--language", metavar="L", help="language of the recordings (default: as corpus.toml says)")
-    add_options(build, "overwrite")
-    build.set_defaults(act=_build)
-    learn = kinds.add_parser(
+    for add in (_add_build, _add_learn, _add_info, _add_pca, _add_show, _add_make, _add_style):
+        add(kinds)
+    add_examples(kinds, EXAMPLES_OF)
+
+
+def _add_build(kinds: Kinds) -> None:
+    parser = kinds.add_parser("build", help="make a table", description="Make a table from a folder of recordings.")
+    parser.add_argument("folder", type=Path, metavar="FOLDER", help="folder of recordings")
+    parser.add_argument("-o", "--out", type=file_place, required=True, metavar="T.sqlite", help="the table")
+    parser.add_argument("--name", metavar="NAME", help="name of the table (default: the folder's)")
+    parser.add_argument("--person", metavar="NAME", help="who speaks (default: as corpus.toml says)")
+    parser.add_argument("--language", metavar="L", help="language of the recordings (default: as corpus.toml says)")
+    add_options(parser, "overwrite")
+    parser.set_defaults(act=_build)
+
+
+def _add_learn(kinds: Kinds) -> None:
+    parser = kinds.add_parser(
         "learn",
         help="learn a face from the sound alone",
         description="Learn a network that moves a face by the sound alone, without phonemes; see --face-network.",
     )
-    learn.add_argument("folder", type=Path, metavar="FOLDER", help="folder of recordings")
-    learn.add_argument("-o", "--out", type=file_place, required=True, metavar="N.face", help="the network")
-    learn.add_argument("--name", metavar="NAME", help="name of the network (default: the folder's)")
-    add_options(learn, "preset", "overwrite")
-    learn.set_defaults(act=_learn)
-    info = kinds.add_parser("info", help="list a table", description="List what a table holds.")
-    info.add_argument("table", type=Path, metavar="T.sqlite", help="the table")
-    info.set_defaults(act=_info)
-    pca = kinds.add_parser(
+    parser.add_argument("folder", type=Path, metavar="FOLDER", help="folder of recordings")
+    parser.add_argument("-o", "--out", type=file_place, required=True, metavar="N.face", help="the network")
+    parser.add_argument("--name", metavar="NAME", help="name of the network (default: the folder's)")
+    add_options(parser, "preset", "overwrite")
+    parser.set_defaults(act=_learn)
+
+
+def _add_info(kinds: Kinds) -> None:
+    parser = kinds.add_parser("info", help="list a table", description="List what a table holds.")
+    parser.add_argument("table", type=Path, metavar="T.sqlite", help="the table")
+    parser.set_defaults(act=_info)
+
+
+def _add_pca(kinds: Kinds) -> None:
+    parser = kinds.add_parser(
         "pca",
         help="store principal components",
         description="Store principal components in place of blend shapes: the same faces, in a smaller table.",
     )
-    pca.add_argument("table", type=Path, metavar="T.sqlite", help="the table")
-    pca.add_argument("-o", "--out", type=file_place, required=True, metavar="SMALL.sqlite", help="the smaller table")
-    pca.add_argument(
+    parser.add_argument("table", type=Path, metavar="T.sqlite", help="the table")
+    parser.add_argument(
+        "-o", "--out", type=file_place, required=True, metavar="SMALL.sqlite", help="the smaller table"
+    )
+    parser.add_argument(
         "--explained",
         type=number_in(1, 100, "percent"),
         default=100 * USUAL_SHARE,
         metavar="P",
         help=f"percent of the variance that the components explain (default: {100 * USUAL_SHARE:g})",
     )
-    pca.add_argument(
+    parser.add_argument(
         "--rig",
         type=file_place,
         metavar="RIG.toml",
         help="write a mouth table for a rig with a shape for each component, for --table",
     )
-    add_options(pca, "overwrite")
-    pca.set_defaults(act=_pca)
-    show = kinds.add_parser("show", help="render a recording", description="Render a recorded face with its sound.")
-    show.add_argument("table", type=Path, metavar="T.sqlite", help="the table")
-    show.add_argument("recording", metavar="RECORDING", help="name of the recording, as in --units")
-    show.add_argument("--from", dest="start", type=number, metavar="S", help="start, seconds (default: its start)")
-    show.add_argument("--to", dest="end", type=number, metavar="S", help="end, seconds (default: its end)")
-    add_clip(show)
-    add_options(show, "overwrite")
-    show.set_defaults(act=_show)
-    make = kinds.add_parser(
+    add_options(parser, "overwrite")
+    parser.set_defaults(act=_pca)
+
+
+def _add_show(kinds: Kinds) -> None:
+    parser = kinds.add_parser("show", help="render a recording", description="Render a recorded face with its sound.")
+    parser.add_argument("table", type=Path, metavar="T.sqlite", help="the table")
+    parser.add_argument("recording", metavar="RECORDING", help="name of the recording, as in --units")
+    parser.add_argument("--from", dest="start", type=number, metavar="S", help="start, seconds (default: its start)")
+    parser.add_argument("--to", dest="end", type=number, metavar="S", help="end, seconds (default: its end)")
+    add_clip(parser)
+    add_options(parser, "overwrite")
+    parser.set_defaults(act=_show)
+
+
+def _add_make(kinds: Kinds) -> None:
+    parser = kinds.add_parser(
         "make", help="make synthetic recordings", description="Make recordings of a synthetic performer, for tests."
     )
-    make.add_argument("folder", type=Path, metavar="FOLDER", help="new folder for the recordings")
+    parser.add_argument("folder", type=Path, metavar="FOLDER", help="new folder for the recordings")
     minutes = number_in(0.01, MOST_MINUTES, "minutes")
-    make.add_argument(
+    parser.add_argument(
         "--minutes", type=minutes, default=USUAL_MINUTES, metavar="M", help="minutes of speech (default: 15)"
     )
-    make.add_argument(
+    parser.add_argument(
         "--seed", type=whole_in(0), default=0, metavar="N", help="seed of random variation (default: 0)"
     )
-    make.add_argument("--sentences", type=Path, metavar="F", help="text file (UTF-8) with one sentence per line")
-    make.add_argument("--language", default="en-us", metavar="L", help="language of the sentences (default: en-us)")
-    make.set_defaults(act=_make)
-    style = kinds.add_parser(
+    parser.add_argument("--sentences", type=Path, metavar="F", help="text file (UTF-8) with one sentence per line")
+    parser.add_argument("--language", default="en-us", metavar="L", help="language of the sentences (default: en-us)")
+    parser.set_defaults(act=_make)
+
+
+def _add_style(kinds: Kinds) -> None:
+    parser = kinds.add_parser(
         "style", help="fit a style", description="Fit a style of speaking, by which rules speak as recorded faces do."
     )
-    style.add_argument("table", type=Path, metavar="T.sqlite", help="the table")
-    style.add_argument("recordings", nargs="*", metavar="RECORDING", help="names of recordings (default: the first)")
-    style.add_argument("-o", "--out", type=file_place, required=True, metavar="STYLE.toml", help="the style")
-    add_options(style, "overwrite")
-    style.set_defaults(act=_style)
-    add_examples(kinds, EXAMPLES_OF)
+    parser.add_argument("table", type=Path, metavar="T.sqlite", help="the table")
+    parser.add_argument("recordings", nargs="*", metavar="RECORDING", help="names of recordings (default: the first)")
+    parser.add_argument("-o", "--out", type=file_place, required=True, metavar="STYLE.toml", help="the style")
+    add_options(parser, "overwrite")
+    parser.set_defaults(act=_style)
 
 
 def run(options: argparse.Namespace) -> int:

@@ -100,7 +100,7 @@ def _read(note: Path) -> InterruptedRecording | None:
             return InterruptedRecording(path, begun, reader.duration, note)
     except (AudioError, ValueError, KeyError, TypeError):
         _dismiss(note)
-    except OSError:
+    except OSError:  # the disk may be away: the note stays for a later start
         pass
     return None
 

@@ -117,12 +117,8 @@ def live_graph(
     for k in range(layer_count(weights)):
         name = f"layer_{k}/self_attention"
         parts = _heads_of(graph, weights, name, _norm(graph, weights, f"{name}/layer_norm", states if k else known))
-        if k == 0:  # queries are asked of the states from the pending one on, keys are those of the new ones
-            after = graph.node("Add", n, one)
-            queries = graph.slice(parts.queries, start, end, 2)
-            parts = _HeadInputs(
-                queries, graph.slice(parts.keys, one, after, 3), graph.slice(parts.values, one, after, 2)
-            )
+        if k == 0:
+            parts = _of_first_layer(graph, parts, n, start, end)
         if k < 2:  # all layers but the first look at the same places
             places = _places(graph, n, count, ahead)
             ahead, count = none, graph.node("Sub", "count", "ahead")
@@ -131,13 +127,17 @@ def live_graph(
         states = _after_attention(graph, weights, k, states, found)
         outputs |= {f"new_keys_{k}": parts.keys, f"new_values_{k}": parts.values}
     outputs = {"states": _final_norm(graph, weights, states)} | outputs
-    kept: dict[str, NDArray[Any]] = {
+    inputs = live_inputs(layer_count(weights), len(weights["conv2/bias"]))
+    return graph.model(inputs, outputs, metadata or {}, _kept_of(weights, anchors))
+
+
+def _kept_of(weights: Weights, anchors: NDArray[np.float16] | None) -> dict[str, NDArray[Any]]:
+    """Return what is always the same: the head, and the anchors."""
+    return {
         "head_weights": weights["head/weight"].T.astype(np.float32),
         "head_bias": weights["head/bias"].astype(np.float32),
         "anchors": np.zeros((0, 0, N_MELS), np.float16) if anchors is None else anchors,
     }
-    inputs = live_inputs(layer_count(weights), len(weights["conv2/bias"]))
-    return graph.model(inputs, outputs, metadata or {}, kept)
 
 
 class _HeadInputs(NamedTuple):
@@ -300,6 +300,14 @@ def _heads_of(graph: _Graph, weights: Weights, name: str, normed: str) -> _HeadI
     parts = [graph.node("Gather", split, graph.constant(np.array(k, np.int64)), axis=2) for k in range(3)]
     queries, values = (graph.node("Transpose", parts[k], perm=[0, 2, 1, 3]) for k in (0, 2))
     return _HeadInputs(queries, graph.node("Transpose", parts[1], perm=[0, 2, 3, 1]), values)
+
+
+def _of_first_layer(graph: _Graph, parts: _HeadInputs, n: str, start: str, end: str) -> _HeadInputs:
+    """Return the queries of the n states from the pending one on, and the keys and values of the n new ones."""
+    one = graph.integers(1)
+    after = graph.node("Add", n, one)
+    queries = graph.slice(parts.queries, start, end, 2)
+    return _HeadInputs(queries, graph.slice(parts.keys, one, after, 3), graph.slice(parts.values, one, after, 2))
 
 
 def _whole_attention(graph: _Graph, weights: Weights, layer: int, states: str) -> str:

@@ -136,7 +136,7 @@ class StrictTable:
         try:
             if isinstance(value, str):
                 return names[value] if kind is Phoneme else kind(value)  # an enumeration may know older names
-        except (KeyError, ValueError):
+        except (KeyError, ValueError):  # refused below, as what is no text
             pass
         raise self.refusal(key, f"one of {', '.join(names)}", value)
 

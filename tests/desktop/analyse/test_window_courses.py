@@ -171,7 +171,7 @@ def test_a_click_on_a_number_of_a_phoneme_takes_it_as_the_threshold(desktop, win
     panel.scope.setCurrentIndex(panel.scope.findData(Scope.SELECTION))
     spread = found(window, qtbot).distribution.spreads[Phoneme.A]
     view = panel.distribution
-    places = [QPointF(x, y) for x in range(view.width()) for y in range(0, view.height(), 3)]
+    places = [QPointF(x, y) for x in range(4, view.width(), 9) for y in range(4, view.height(), 5)]
     place = next(at for at in places if (hit := view.number_at(at)) and hit[:2] == (Phoneme.A, 2))
     QTest.mouseClick(view, LEFT, pos=place.toPoint())
     assert desktop.preset.preset.thresholds.p_p1 == pytest.approx(spread.maximum, rel=1e-3)

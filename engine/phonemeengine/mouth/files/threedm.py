@@ -61,7 +61,7 @@ def _name_of(raw: bytes, place: int) -> str:
     raw = raw.removesuffix(b"\0")
     try:
         return raw.decode().strip()
-    except UnicodeDecodeError:
+    except UnicodeDecodeError:  # perhaps of an older exporter
         pass
     try:
         return raw.decode("cp1252").strip()

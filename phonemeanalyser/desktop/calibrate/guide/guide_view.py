@@ -137,7 +137,13 @@ class GuideView(QWidget):
         self.figures = FiguresTable((tr("Before"), tr("After"), tr("Difference")), theme)
         self.head = head
         self.head.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)  # buttons come before it
-        guide = calibration.guide
+        self._make_controls()
+        self._lay_out()
+        self._connect()
+        self._show()
+
+    def _make_controls(self) -> None:
+        guide = self._calibration.guide
         self.language = choice(
             ((tr(name), name) for name in LANGUAGES),
             tr("Sentence language"),
@@ -148,20 +154,15 @@ class GuideView(QWidget):
             tr("Calibrate with nine single sounds instead of a sentence"),
             lambda: guide.choose(guide.language, by_sounds=not guide.by_sounds),
         )
-        self.play_old, self.play_new = (
-            spoken_button(words, tip, partial(self._play, new=new))
-            for words, tip, new in (
-                (
-                    tr("▶ Old preset"),
-                    tr("Play the sentence; the head shows the mouth shapes of the old preset"),
-                    False,
-                ),
-                (
-                    tr("▶ New preset"),
-                    tr("Play the sentence; the head shows the mouth shapes of the new preset"),
-                    True,
-                ),
-            )
+        self.play_old = spoken_button(
+            tr("▶ Old preset"),
+            tr("Play the sentence; the head shows the mouth shapes of the old preset"),
+            partial(self._play, new=False),
+        )
+        self.play_new = spoken_button(
+            tr("▶ New preset"),
+            tr("Play the sentence; the head shows the mouth shapes of the new preset"),
+            partial(self._play, new=True),
         )
         self.save = spoken_button(
             tr("Use and Save As…"), tr("Use the new preset and save it under a new name"), self._save
@@ -183,9 +184,6 @@ class GuideView(QWidget):
         self.accept = spoken_button(
             tr("Use New Preset"), tr("Use the new preset; Ctrl+Z restores the old one (Return)"), self._accept
         )
-        self._lay_out()
-        self._connect()
-        self._show()
 
     def refresh(self) -> None:
         """Show how far it is, and whether the microphone gives sound."""
