@@ -138,8 +138,8 @@ class Analyser:
     ----------
     preset : what to recognise with.
     rate : of the samples, Hz, 1000..768000; what is not at 44.1 kHz is resampled.
-    live : for live sound: look ahead only as far as the preset's ``live_look_ahead``, 10 ms unless it
-        says otherwise, and resample with an even delay, as `Listener` and the shipped runtime do.
+    live : for live sound: look ahead only as far as the preset's ``live_look_ahead``, and resample with an even
+        delay, as `Listener` and the shipped runtime do.
     pitch : measure ``f0`` too, which no rule needs; without it ``f0`` reads 0.
     start : number of the first frame, where the samples begin in the midst of a longer sound.
     phonemes_only : leave spectra, waveforms and variables out where the recogniser needs none; `volume` stays.

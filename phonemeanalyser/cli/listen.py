@@ -69,7 +69,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_input(parser)
     ahead = PARAMETERS["live_look_ahead"]
     limits = f"{ahead.low:g} to {ahead.high:g} {ahead.unit}"
-    wait = f"look-ahead, {limits}: longer is more exact, and adds to the latency (default: the preset's)"
+    wait = f"look-ahead, {limits}: longer is more accurate, and adds to the latency (default: the preset's)"
     parser.add_argument("--look-ahead", type=number_in(*ahead.limits), metavar="S", help=wait)
     model = "model that recognises; real-time is the small network alone (default: the preset's)"
     parser.add_argument("--model", type=ModelKind, choices=LIVE_KINDS, metavar="|".join(LIVE_KINDS), help=model)

@@ -1,5 +1,6 @@
 """Each dialog says in its title what it is for, and names its one default button by what that does."""
 
+import ast
 from collections.abc import Callable
 
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QMessageBox, QPushButton
@@ -9,6 +10,7 @@ from phonemeanalyser.desktop.calibrate.dialogs import MappingDialog
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.widgets.file_asker import ask_to_save
 from phonemeengine.features.variables import Variable
+from tests.conftest import ROOT
 from tests.desktop.hands import shown
 
 PLAIN = {"", "OK", "Yes", "No"}
@@ -62,3 +64,18 @@ def test_every_dialog_has_a_title_and_a_default_button_with_a_verb(desktop, qtbo
         title for title, (defaults, accepts) in seen.items() if accepts and not set(defaults) & set(accepts)
     ] == []
     assert [title for title, (defaults, _) in seen.items() if len(defaults) > 1 or PLAIN & set(defaults)] == []
+
+
+def test_every_class_of_dialogs_has_a_title_and_the_buttons_of_all_dialogs():
+    paths = (ROOT / "phonemeanalyser" / "desktop").rglob("*.py")
+    texts = [path.read_text("utf-8") for path in paths]
+    nodes = [(text, node) for text in texts if "QDialog" in text for node in ast.walk(ast.parse(text))]
+    found = {
+        node.name: ast.get_source_segment(text, node) or ""
+        for text, node in nodes
+        if isinstance(node, ast.ClassDef) and "QDialog" in map(ast.unparse, node.bases)
+    }
+    assert len(found) > 12
+    assert [name for name, code in found.items() if "setWindowTitle(" not in code] == []
+    of_all = [name for name, code in found.items() if "dialog_buttons(" in code]  # which makes one default at most
+    assert {*found} - {*of_all} == {"ExportDialog"}  # which the test above shows

@@ -260,7 +260,7 @@ class ConversionOptions:
     longest: float = _option(
         "refuse audio files longer than S seconds", "S", Number(0, unit="s"), math.inf, elsewhere=False
     )
-    text: str | None = _option("text that is spoken; makes recognition far more exact", "TEXT")
+    text: str | None = _option("text that is spoken; makes recognition far more accurate", "TEXT")
     script: Path | None = _file(
         "file with the text, table with a line FILE<TAB>TEXT for each file, .TextGrid or .json with word times, or "
         "auto: x.TextGrid with words, or x.txt, beside x.wav"

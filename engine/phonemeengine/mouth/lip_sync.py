@@ -37,7 +37,7 @@ def transcribe(
     channel : what is recognised of a file of several channels.
     pitch : measure the fundamental frequency too, by which a head moves.
     script : what is said in it, where that is known: its words (see `words_of`), or an `Utterance`, such as
-        `align` gives; far more exact than listening alone.
+        `align` gives; far more accurate than recognition alone.
     felt : estimate the feeling in the voice too, by which an expression moves; see `FeelingAmounts`.
     progress : called with the share that is done, 0..1.
 

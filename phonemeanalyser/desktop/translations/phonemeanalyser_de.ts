@@ -6047,7 +6047,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Networks trained on 249 speakers; adapts to a voice in a minute: mouth shapes {percent} % on left-out speakers.</source>
-            <translation>Netze, mit 249 Sprechern trainiert; in einer Minute an eine Stimme angepasst: Mundformen {percent} % bei ausgelassenen Sprechern.</translation>
+            <translation>Netze, mit 249 Sprechern trainiert; in 1 min an eine Stimme angepasst: Mundformen {percent} % bei ausgelassenen Sprechern.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
@@ -7201,7 +7201,7 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/presets/model_choice.py" />
-            <source>pip install "phonemeanalyser[whisper]" installs a more exact one</source>
+            <source>pip install "phonemeanalyser[whisper]" installs a more accurate one</source>
             <translation>pip install "phonemeanalyser[whisper]" installiert ein genaueres</translation>
         </message>
         <message>
@@ -11387,7 +11387,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>Voice</source>
-            <translation>Stimme</translation>
+            <translation>Sprechstimme</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />

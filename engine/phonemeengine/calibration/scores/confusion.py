@@ -106,7 +106,7 @@ def confusion_between(labels: FrameLabels, answers: UInt8Array, edges: IndexArra
 # Where something else was recognised than the labels say.
 
 LEAST = 0.03
-"""Seconds that an error lasts: labels are no more exact than that."""
+"""Seconds that an error lasts: labels are no more precise than that."""
 ERROR_COLUMNS = ("start_s", "end_s", "said", "recognised")
 
 
