@@ -151,9 +151,9 @@ class ExportDialog(QDialog):
         column((row(left, (right, 1)), 1), self.bar, ends, on=self, margins=None)
 
     def _connect(self) -> None:
-        self.choices.changed.connect(self.preview.clear)
-        self.choices.preset.changed.connect(self.preview.clear)
-        self.choices.changed.connect(self._show_files)
+        for changed in (self.choices.changed, self.choices.preset.changed):
+            changed.connect(self.preview.clear)
+            changed.connect(self._show_files)
         self.add_files.clicked.connect(self._ask_files)
         self.add_folder.clicked.connect(self._ask_folder)
         self.remove.clicked.connect(self._remove)
@@ -170,6 +170,7 @@ class ExportDialog(QDialog):
 
     def _show_files(self) -> None:
         self.queue.jobs = []
+        self.told.clear()
         targets = targets_of(self._sounds, self._folder, self.choices.chosen.ending)
         self._shown.clear()
         self.files.setRowCount(len(self._sounds))

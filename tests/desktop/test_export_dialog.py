@@ -75,6 +75,8 @@ def test_a_folder_becomes_files_beside_its_sounds(dialog, folder, qtbot):
     assert dialog.told.text() == "2 done"
     assert cells(dialog, 0)[1:3] == ["0:03.5", "done"]
     assert dialog.bar.value() == 1000
+    choose(dialog, "phonemes-csv")
+    assert (dialog.told.text(), dialog.bar.value()) == ("", 0)
 
 
 def test_a_file_that_fails_is_said_and_the_others_go_on(dialog, folder, qtbot):
@@ -286,7 +288,7 @@ def test_a_text_in_hand_is_exported_as_its_voice_says_it(desktop, qtbot, tmp_pat
     assert dialog.preview.toPlainText().startswith("Timecode")
     with qtbot.waitSignal(dialog.queue.finished):
         QTest.mouseClick(dialog.start, LEFT)
-    assert dialog.told.text() == "1 done"
+    assert (dialog.told.text(), cells(dialog, 0)[1]) == ("1 done", "0:00.5")
     said = spoken_text(FakeVoice().speak("Guten Abend.", "de", VoiceChoice()), language="de").transcript
     expected = b"".join(Exporter("livelink-csv").chunks_of(said))
     assert (tmp_path / "text.livelink.csv").read_bytes() == expected

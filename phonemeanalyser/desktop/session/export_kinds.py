@@ -189,16 +189,18 @@ class SpeechWork:
                 exporter = Exporter(self.order.kind, self.order.options)
                 order = self.order
                 files = SpeechFiles(None, None, job.target, None, exporter, driving, say, order.overwrite)
-                files.write_spoken(self._spoken(progress), self.speech.language, self.speech.text)
-                return Made(language=self.speech.language)
+                lengths: list[float] = []
+                files.write_spoken(self._spoken(progress, lengths), self.speech.language, self.speech.text)
+                return Made(sum(lengths), self.speech.language)
 
             yield act
 
-    def _spoken(self, progress: Progress) -> Iterator[SpokenSentence]:
-        """Return sentences as they come, and tell how much of the text they are."""
+    def _spoken(self, progress: Progress, lengths: list[float]) -> Iterator[SpokenSentence]:
+        """Return sentences as they come, note their lengths, and tell how much of the text they are."""
         n = 0
         for sentence in self.speech.speak():
             n += len(sentence.text)
+            lengths.append(sentence.duration)
             report_progress(progress, min(1.0, n / max(1, len(self.speech.text))))
             yield sentence
 

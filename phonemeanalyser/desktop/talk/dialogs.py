@@ -11,6 +11,8 @@ from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.settings import Kept, keep, read, read_paths
+from phonemeanalyser.desktop.talk.drivers.comparison_menu import COMPARISONS
+from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET
 from phonemeanalyser.desktop.talk.head.mapping_dialog import FaceMappingDialog
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.mouth_table.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
@@ -64,6 +66,10 @@ class TalkDialogs(QObject):
             if isinstance(state := self._settings.value(name), QByteArray):
                 splitter.restoreState(state)
         page.tabs.setCurrentIndex(read(self._settings, "talk/tab", 0))
+        kept = read(self._settings, "talk/compared", "")
+        compared = next((driver for driver in COMPARISONS if driver == kept), None)
+        if compared != OTHER_PRESET or self._talking.comparison.other_preset:
+            self._talking.text.drivers.compare(compared)
         page.choices.mesh_asked.connect(self.ask_mesh)
         page.choices.table_asked.connect(self.ask_table)
         page.choices.mapping_asked.connect(self.ask_mapping)
@@ -230,6 +236,7 @@ class TalkDialogs(QObject):
             for name, splitter in self._page.splitters.items():
                 self._settings.setValue(name, splitter.saveState())
             keep(self._settings, "talk/tab", self._page.tabs.currentIndex())
+            keep(self._settings, "talk/compared", self._talking.text.drivers.compared or "")
         written = self._talking.text.written
         written.remember()
         self._settings.setValue("talk/texts", json.dumps(written.remembered))

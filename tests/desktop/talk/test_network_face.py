@@ -90,7 +90,7 @@ def test_a_file_is_followed_as_its_export_is_without_words(desk: Desk, network: 
     assert said is not None
     in_use = talking.shown
     options = replace(in_use.options, rate=100.0, table=in_use.table)
-    made = movement_of(said, options, in_use.driver, desk.session.source.reopen)
+    made = movement_of(said.transcript(), options, in_use.driver, desk.session.source.reopen)
     assert made.weights[50, ARKIT.index("noseSneerLeft")] == pytest.approx(0.4, abs=1e-3)
     desk.session.seek(0.8)  # what is held still is shown, too
     talking.tick()

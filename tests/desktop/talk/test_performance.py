@@ -125,7 +125,7 @@ def test_two_heads_that_say_a_spoken_text_are_compared_by_numbers(desk: Desk, ta
     use(desk, table)
     comparison = desk.stage.talking.comparison
     desk.texts.drivers.compare(FaceDriver.RULES)
-    assert comparison.words == "Open a recording to see where both heads differ"
+    assert comparison.words == "Open a recording or speak a text to see where both heads differ"
     desk.say("So. So so.")
     desk.stage.play(0.25)
     desk.qtbot.waitUntil(lambda: comparison.found is not None)

@@ -8,7 +8,9 @@ from pathlib import Path
 import pytest
 import soundfile
 
+from phonemeanalyser.desktop.session.preset import PresetDocument
 from phonemeanalyser.desktop.session.sources import SourceKind
+from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET
 from phonemeanalyser.desktop.talk.words.sound_words import KnownWords
 from phonemeanalyser.desktop.talk.words.text_model import TextTools
 from phonemeanalyser.desktop.talk.words.voice_model import FASTEST, VoiceModel
@@ -18,6 +20,7 @@ from phonemeengine.labels.utterance import LabelUnit, Utterance, spans_of
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import THESIS_PRESET
 from tests.desktop.sessions import settled
 from tests.desktop.stage import AN_A
 from tests.desktop.talk.desk import DURATION, SAID, Desk
@@ -51,6 +54,19 @@ def test_the_head_says_what_the_voice_says(desk):
     desk.say("Hello. You there.")
     desk.stage.play(10, lambda: jaws.append(desk.stage.jaw))
     assert max(jaws) > 5
+
+
+def test_a_second_preset_recognises_what_the_voice_says(desk):
+    desk.stage.look()
+    desk.session.preset.set_other(PresetDocument.read(THESIS_PRESET))
+    desk.texts.drivers.compare(OTHER_PRESET)
+    desk.say("Hello. You there.")
+    desk.stage.play(0.1)
+    comparison = desk.stage.talking.comparison
+    desk.qtbot.waitUntil(lambda: comparison.known is not None)
+    assert comparison.known.duration == pytest.approx(2 * SENTENCE)
+    assert comparison.known.run_at(0.25).phoneme is Phoneme.A  # the text has it as an o
+    assert comparison.found.rms > 0
 
 
 def test_a_spoken_text_can_be_gone_through(desk):

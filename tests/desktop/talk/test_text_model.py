@@ -272,6 +272,21 @@ def test_a_text_from_a_file_that_was_changed_is_unsaved(desk, tmp_path):
     assert desk.texts.written.has_unsaved_changes
 
 
+@pytest.mark.parametrize(
+    ("spoken", "file"), [("Hello you there.", "so oh"), ("so oh!", "so oh!")], ids=["another text", "the script"]
+)
+def test_a_text_that_is_spoken_is_the_sounds_script_only_where_it_is_like_it(desk, tmp_path, spoken, file):
+    (tmp_path / "said.txt").write_text("so oh", encoding="utf-8")
+    desk.open(tmp_path)
+    desk.align()
+    desk.say(spoken)
+    assert desk.texts.text == spoken
+    assert desk.texts.written.has_unsaved_changes == (spoken == file)
+    desk.session.set_source(SourceKind.FILE)
+    desk.wait()
+    assert (desk.texts.text, desk.words()) == (file, ["so", "oh"])
+
+
 def test_the_text_of_the_demo_is_where_to_begin_and_no_file_to_save_to(qapp):
     written = WrittenText()
     for expected in ("She sells", "Hello"):

@@ -330,6 +330,7 @@ def test_text_language_lexicon_and_voice_are_there_again_at_the_next_start(
     chosen = VoiceChoice("f2", 5.5, "mine {output} {text}", True)
     desktop.talking.text.voice.choose(**vars(chosen))
     desktop.talking.text.drivers.choose(FaceDriver.RULES)
+    desktop.talking.text.drivers.compare(FaceDriver.PINYIN)
     desktop.talking.text.set_lexicon(tmp_path / "mine.csv")
     qtbot.waitUntil(lambda: desktop.talking.text.lexicon_path is not None)
     desktop.save()
@@ -342,6 +343,8 @@ def test_text_language_lexicon_and_voice_are_there_again_at_the_next_start(
     assert texts.written.recent == ["de"]
     assert texts.voice.choice == chosen
     assert texts.drivers.chosen is FaceDriver.RULES
+    assert again.window.talk.isEnabled()  # it is made when it is first asked for
+    assert texts.drivers.compared is FaceDriver.PINYIN
     again.close()
 
 

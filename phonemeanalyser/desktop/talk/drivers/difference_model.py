@@ -11,7 +11,7 @@ from phonemeanalyser.desktop.session.export_kinds import FaceInUse
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET
-from phonemeanalyser.desktop.talk.drivers.movement import RecordedSpeech, movement_of, recording_of
+from phonemeanalyser.desktop.talk.drivers.movement import RecordedSpeech, heard_in, movement_of, recording_of
 from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.audio.source import Reader
@@ -78,8 +78,8 @@ class DifferenceModel(QObject):
     @property
     def words(self) -> str:
         """What is found, in words; or why nothing is."""
-        if self._session.source.path is None and (self.by_preset or self._texts.utterance is None):
-            return tr("Open a recording to see where both heads differ")
+        if self._session.source.path is None and self._texts.utterance is None:
+            return tr("Open a recording or speak a text to see where both heads differ")
         if self.found is None:
             return tr("Comparing…")
         if not self.found.places:
@@ -147,19 +147,23 @@ class DifferenceModel(QObject):
         session, in_use = self._session, self._in_use()
         path, duration = session.source.path, session.source.duration
         utterance = None if path is None else in_use.words.get(path)
-        one = other = recording_of(path, duration, session.whole.tracks, utterance)
-        if path is None and (spoken := self._texts.utterance) is not None and not self.by_preset:
-            one = other = RecordedSpeech(None, spoken.duration, None, spoken)
-        elif self.by_preset:
+        one = recording_of(path, duration, session.whole.tracks, utterance)
+        if path is None and (spoken := self._texts.utterance) is not None:
+            one = RecordedSpeech(None, spoken.duration, None, spoken)
+        other = one
+        if self.by_preset and path is not None:
             other = recording_of(path, duration, session.second.whole.tracks)
         if one is None or other is None:
             self._work.cancel()
             self._forget()
             return
+        reopen, preset, heard = session.source.reopen, session.preset.other, other.transcript
+        if self.by_preset and path is None and preset is not None and reopen is not None:
+            heard = partial(heard_in, reopen, preset.preset, session.source.name)
         idle = replace(in_use.options.idle, blinks=False, head=False)
         options = replace(in_use.options, rate=self._rate(), table=in_use.table, idle=idle)
         drivers = in_use.driver, self._drivers.choice_beside
-        work = partial(_compared, one, other, options, *drivers, session.source.reopen)
+        work = partial(_compared, one.transcript, heard, options, *drivers, reopen)
         self._work.replace(lambda _progress: work(), self._take)
 
     def _take(self, compared: tuple[MovementDifference, Transcript]) -> None:
@@ -173,13 +177,14 @@ class DifferenceModel(QObject):
 
 
 def _compared(
-    one: RecordedSpeech,
-    other: RecordedSpeech,
+    one: Callable[[], Transcript],
+    other: Callable[[], Transcript],
     options: ExportOptions,
     main: DriverChoice,
     beside: DriverChoice,
     reopen: Callable[[], Reader] | None,
 ) -> tuple[MovementDifference, Transcript]:
     """Return the difference of both movements, and what is said as the second head takes it."""
-    first, second = movement_of(one, options, main, reopen), movement_of(other, options, beside, reopen)
-    return movement_difference(first, second), other.transcript()
+    heard = other()
+    first, second = movement_of(one(), options, main, reopen), movement_of(heard, options, beside, reopen)
+    return movement_difference(first, second), heard

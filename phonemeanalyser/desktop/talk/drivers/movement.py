@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from phonemeengine.analyser import analyse_blocks
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.source import Reader
 from phonemeengine.batch.work import say_nothing
@@ -17,7 +18,9 @@ from phonemeengine.inspection.whole_sound import FrameState, SoundTracks
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
-from phonemeengine.mouth.transcript import NOTHING, Transcript, transcript_of_utterance
+from phonemeengine.mouth.transcript import NOTHING, Transcript, transcript_of, transcript_of_utterance
+from phonemeengine.presets.model_choice import for_files
+from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.segments import SegmentBuilder
 from phonemeengine.settings import SAMPLE_RATE
 
@@ -61,10 +64,24 @@ def recording_of(
     return RecordedSpeech(path, duration, tracks, utterance)
 
 
+def heard_in(reopen: Callable[[], Reader], preset: Preset, name: str) -> Transcript:
+    """Return what a preset recognises in a sound that is in no file, from its beginning to its end."""
+    n_samples = 0
+
+    def counted() -> Iterator[Float32Array]:
+        nonlocal n_samples
+        for block in _blocks_of(reopen):
+            n_samples += len(block)
+            yield block
+
+    analyses = [*analyse_blocks(counted(), for_files(preset), pitch=True)]
+    return transcript_of(analyses, name, n_samples / SAMPLE_RATE)
+
+
 def movement_of(
-    said: RecordedSpeech, options: ExportOptions, choice: DriverChoice, reopen: Callable[[], Reader] | None = None
+    speech: Transcript, options: ExportOptions, choice: DriverChoice, reopen: Callable[[], Reader] | None = None
 ) -> Animation:
-    """Return how a face says a recording.
+    """Return how a face says what is said in a recording, or a text.
 
     Parameters
     ----------
@@ -74,11 +91,11 @@ def movement_of(
     ------
     EngineError : the driver cannot move a face by it.
     """
-    exporter, speech = Exporter("curves-json", replace(options, mesh=None)), said.transcript()
-    with choice.opened(said.utterance.language if said.utterance else "") as driving:
-        driver = driving.chosen(said.utterance, speech.name, exporter.takes)
+    exporter, utterance = Exporter("curves-json", replace(options, mesh=None)), speech.utterance
+    with choice.opened(utterance.language if utterance else "") as driving:
+        driver = driving.chosen(utterance, speech.name, exporter.takes)
         sound = None if reopen is None else partial(_blocks_of, reopen)
-        track = driving.track(driver, said.utterance, speech, say_nothing, sound=sound)
+        track = driving.track(driver, utterance, speech, say_nothing, sound=sound)
         movement = driving.movement(track, speech, exporter, say_nothing)
     return exporter.export_of(speech, movement).animation
 

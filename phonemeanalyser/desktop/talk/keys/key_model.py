@@ -221,8 +221,8 @@ class KeyModel(QObject):
         if said is None:
             return
         options = replace(in_use.options, rate=self._rate(), table=in_use.table)
-        work = partial(movement_of, said, options, in_use.driver, source.reopen)
-        self._work.replace(lambda _progress: work(), lambda made: self._take(sound, made))
+        work = partial(movement_of, options=options, choice=in_use.driver, reopen=source.reopen)
+        self._work.replace(lambda _progress: work(said.transcript()), lambda made: self._take(sound, made))
 
     def _take(self, sound: Path | None, made: Animation) -> None:
         if sound != self.sound:

@@ -129,12 +129,11 @@ class TextModel(QObject):
         drivers = self.drivers
         for model in (self.voice, drivers, drivers.performance, drivers.network, self.original):
             model.changed.connect(self.changed)
-        self.drivers.error.connect(self.error)
-        self.original.error.connect(self.error)
-        self.drivers.info.connect(self.info)
+        for error in (drivers.error, self.original.error, self.edits.error):
+            error.connect(self.error)
+        for info in (drivers.info, self.edits.info):
+            info.connect(self.info)
         self.words.changed.connect(self._take_words)
-        self.edits.error.connect(self.error)
-        self.edits.info.connect(self.info)
         self.written.changed.connect(self._take_text)
         session.say = self.say
 
@@ -312,16 +311,18 @@ class TextModel(QObject):
         if session.source.kind is not SourceKind.TEXT:
             self._speech = None
             self.speech_view.open(0.0)
-        if self.editable and not self.words.is_of(session.path, session.source.duration):
-            another = session.path != self.words.sound
-            if not another and session.path is not None and self.words.utterance is not None:
+        path, is_known = session.path, self.words.is_of(session.path, session.source.duration)
+        another = path != self.words.sound or path != self.written.sound  # which a spoken text leaves
+        if self.editable and (another or not is_known):
+            if not another and path is not None and self.words.utterance is not None:
                 words = tr("{file} has changed on the disk; its words are taken from the files beside it again.")
-                self.info.emit(words.format(file=session.path.name))
+                self.info.emit(words.format(file=path.name))
             self.refused = None
-            self.words.follow(session.path)
+            if not is_known:
+                self.words.follow(path)
             self._work.cancel()
             if another:
-                self.written.leave(session.path)
+                self.written.leave(path)
                 self.speakers, self.speaker, self._script = (), "", None
             self._look_beside(with_script=another)
         self._tell()
@@ -336,10 +337,8 @@ class TextModel(QObject):
     def close(self) -> None:
         """Save what is to be saved, and end all other work."""
         self._saving.finish()
-        self.voice.close()
-        self.edits.close()
-        self.original.close()
-        self.drivers.close()
+        for part in (self.voice, self.edits, self.original, self.drivers):
+            part.close()
         for work in (self._work, self._looking):
             work.close(CLOSE_TIMEOUT)
 
@@ -394,7 +393,7 @@ class TextModel(QObject):
             self.info.emit(tr("These labels have several speakers; choose one beside the text."))
         if found.text:
             self._timed, self._timed_text = found.timed, found.text
-            self.set_text(found.text)
+            self.written.set_text(found.text, is_script=True)
         if found.utterance is not None and self.words.utterance is None:
             self.words.put(KnownWords(found.utterance, text=self.text or said_in(found.utterance)))
 
@@ -403,10 +402,9 @@ class TextModel(QObject):
         if sound != self.words.sound:
             return
         self.error.emit("")
-        if found.utterance is not None:
-            found = replace(found, text=found.text or said_in(found.utterance))
-        if found.utterance is not None:
-            self.words.edit(found.utterance, tr("loading of a script"), by_hand=False, text=found.text)
+        if (utterance := found.utterance) is not None:
+            found = replace(found, text=found.text or said_in(utterance))
+            self.words.edit(utterance, tr("loading of a script"), by_hand=False, text=found.text)
         self._take_found(sound, found)
         self.changed.emit()
 
@@ -428,6 +426,7 @@ class TextModel(QObject):
                 else tr("Not spoken in the recording: {words}.")
             )
             self.info.emit(told.format(words=words, n=more))
+        self.written.note_script()
         self.words.edit(found, tr("alignment"), by_hand=False, text=script.text)
 
     @property
@@ -445,6 +444,7 @@ class TextModel(QObject):
 
     def _take_speech(self, speech: RunningSpeech, text: str, voice: VoiceChoice) -> None:
         session, self._speech = self._session, speech
+        self.written.note_spoken()
         self.speech_view.open(0.0)
 
         def speak_again() -> SpooledSpeech:

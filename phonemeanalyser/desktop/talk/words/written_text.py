@@ -1,7 +1,9 @@
 """The text that is said, and its language; and what is remembered of both for each sound."""
 
 import re
+from collections import Counter
 from functools import lru_cache
+from itertools import pairwise
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -33,6 +35,7 @@ class WrittenText(QObject):
     guess : the language that the text is probably in; empty where it tells none.
     recent : the languages that were chosen last, the newest first.
     remembered : text and language by the path of the sound, the newest last; those of no sound by an empty path.
+    sound : whose script the text is; None where it is none's.
     """
 
     changed = Signal()
@@ -43,7 +46,8 @@ class WrittenText(QObject):
         self.recent: list[str] = []
         self.remembered: dict[str, tuple[str, str]] = {}
         self._in_file = ""
-        self._sound: Path | None = None
+        self.sound: Path | None = None
+        self._script = "", ""  # of the sound, and its language, as it was found or aligned last
         self._typed_without = False
 
     @property
@@ -55,13 +59,15 @@ class WrittenText(QObject):
     def has_unsaved_changes(self) -> bool:
         """Whether the text of a sound would be lost: its file has another one, or it is too long to be remembered."""
         too_long = len(self.text) > MOST_REMEMBERED and self.text != self._in_file
-        return self._sound is not None and (too_long or (bool(self._in_file) and self.text != self._in_file))
+        return self.sound is not None and (too_long or (bool(self._in_file) and self.text != self._in_file))
 
-    def set_text(self, text: str) -> None:
-        """Take another text."""
+    def set_text(self, text: str, *, is_script: bool = False) -> None:
+        """Take another text; `is_script` where it is known to be what is said in the current sound."""
         if text != self.text:
-            self._typed_without = self._sound is None
+            self._typed_without = self.sound is None
             self._put(text, self.language)
+        if is_script:
+            self.note_script()
 
     def set_language(self, tag: str) -> None:
         """Take the text to be of another language; of an empty one, it is guessed."""
@@ -73,11 +79,24 @@ class WrittenText(QObject):
     def leave(self, sound: Path | None) -> None:
         """Remember the text of the current sound, since another one, or none, is current now."""
         self.remember()
-        self._sound = sound
+        self.sound = sound
+
+    def note_script(self) -> None:
+        """Take note that the text is what is said in the current sound."""
+        self._script = self.text, self.language
+
+    def note_spoken(self) -> None:
+        """Take note that a voice says the text: unless it is much like the sound's script, it is no sound's."""
+        self._typed_without = False
+        if self.sound is not None and not _much_alike(self.text, self._script[0]):
+            spoken = self.text, self.language
+            self.text, self.language = self._script
+            self.leave(None)
+            self.text, self.language = spoken
 
     def remember(self) -> None:
         """Remember the text of the current sound."""
-        key = str(self._sound or "")
+        key = str(self.sound or "")
         self.remembered.pop(key, None)
         if self.text.strip():
             self.remembered[key] = self.text, self.language
@@ -93,8 +112,8 @@ class WrittenText(QObject):
         What was typed before any sound was open stays, since it waited for this one. The text of the demo is where to
         begin, and no file of the user's: what was typed in its place is remembered, and never saved there.
         """
-        text, language = self.remembered.get(str(self._sound or ""), ("", ""))
-        if self._sound is not None and self._sound.resolve().is_relative_to(PROGRAM):
+        text, language = self.remembered.get(str(self.sound or ""), ("", ""))
+        if self.sound is not None and self.sound.resolve().is_relative_to(PROGRAM):
             found, text, self._in_file = "", text or found, ""
         else:
             self._in_file = found
@@ -106,6 +125,7 @@ class WrittenText(QObject):
         if found and found != text:
             text = found
         self._put(text, language)
+        self.note_script()
 
     def note_saved(self) -> None:
         """Take note that the file beside the sound has this text now."""
@@ -130,6 +150,12 @@ def same_words(one: str, other: str) -> bool:
     spoken = (_DIRECTION.sub(" ", text).casefold() for text in (one, other))
     first, second = ([w for word in text.split() if (w := word.strip(MARKS))] for text in spoken)
     return first == second
+
+
+def _much_alike(one: str, other: str) -> bool:
+    """Return whether two texts share half of their pairs of neighbouring characters; that needs no words."""
+    first, second = (Counter(pairwise(text.casefold())) for text in (one, other))
+    return 2 * (first & second).total() >= max(first.total(), second.total(), 1)
 
 
 def places_of(utterance: Utterance, text: str, reach: int = 200) -> list[tuple[int, int]]:
