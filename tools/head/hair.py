@@ -25,6 +25,12 @@ N_INSIDE = 3
 """Rows of the inner surface."""
 SHADE = 0.85
 """Of the colour of the inner surface."""
+ON_SKIN = 0.7
+"""What hangs, and yet ends above it, ends on the skin."""
+SUNK = np.array((0.0, 0.05, 0.14, 0.30, 0.57, 1.0))
+"""How far the last rows of what ends on the skin have gone into it."""
+FADING = 0.24
+"""Share of a column, at its end, whose colour nears that of the skin."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +73,7 @@ STYLES = {
             (1.24, 1.24, 1.16, 0.98, 0.74, 0.50, 0.52, 0.55, 0.22, 0.02, -0.02),
         ),
         fringe=0.0,
-        thickness=((0, 30, 60, 90, 130, 180), (0.10, 0.09, 0.055, 0.045, 0.05, 0.06)),
+        thickness=((0, 30, 60, 90, 130, 180), (0.085, 0.075, 0.05, 0.04, 0.045, 0.055)),
         top=0.03,
         hangs=False,
         inward=0.0,
@@ -76,24 +82,24 @@ STYLES = {
         n_rows=13,
         groove=0.012,
         uneven=0.012,
-        fade=0.75,
+        fade=0.8,
     ),
     "bob": Style(
         edge=(
             (0, 20, 32, 42, 50, 57, 63, 70, 80, 110, 150, 180),
-            (1.27, 1.23, 1.13, 0.93, 0.62, 0.20, -0.20, -0.48, -0.56, -0.52, -0.42, -0.40),
+            (1.27, 1.23, 1.13, 0.93, 0.62, 0.20, -0.16, -0.40, -0.52, -0.53, -0.48, -0.47),
         ),
         fringe=0.10,
         thickness=((0, 30, 60, 90, 130, 180), (0.11, 0.12, 0.13, 0.14, 0.15, 0.16)),
         top=0.03,
         hangs=True,
-        inward=0.16,
-        inner=0.09,
+        inward=0.26,
+        inner=0.06,
         n_columns=88,
         n_rows=16,
         groove=0.016,
-        uneven=0.018,
-        fade=0.0,
+        uneven=0.008,
+        fade=0.7,
     ),
 }
 
@@ -109,12 +115,12 @@ def with_hair(head: Clay, person: Person) -> Clay:
     )
     ends = _edge_at(style, angles) + uneven
     columns = zip(angles, ends, _skull(head, angles), strict=True)
-    rows = np.stack([_column(style, angle, end, ways) for angle, end, ways in columns])
+    rows = np.stack([_column(style, *column) for column in columns])
     rows, strands = _stranded(rows, style)
     inside = _inside(rows, style)
     points = np.concatenate((rows, inside), axis=1).transpose(1, 0, 2).reshape(-1, 3)
     n_rows = style.n_rows + N_INSIDE
-    colours = _colours(person, strands, style)
+    colours = _colours(person, strands, style, _lies_on_skin(style, ends))
     triangles = grid_triangles(n_rows, style.n_columns, closed=True)
     top = np.array([[rows[:, 0].mean(axis=0)[0], rows[:, 0, 1].mean() + 0.004, rows[:, 0].mean(axis=0)[2]]])
     ring = np.arange(style.n_columns)
@@ -184,11 +190,20 @@ def _column(style: Style, angle: float, end: float, ways: Floats) -> Floats:
     along = np.concatenate(([0.0], np.cumsum(np.hypot(np.diff(reach), np.diff(height)))))
     places = along[-1] * np.linspace(0, 1, style.n_rows) ** 0.9
     reach, height = np.interp(places, along, reach), np.interp(places, along, height)
-    resting = np.interp(height[-4:], CENTRE[1] + (ways * np.sin(ELEVATIONS))[::-1], (ways * np.cos(ELEVATIONS))[::-1])
-    if not style.hangs or end > 0.7:  # what ends on the skin goes into it, with a round edge
-        sunk = np.array((0.0, 0.12, 0.45, 1.0))
-        reach[-4:] += sunk * (resting - BURIED - reach[-4:])
+    n = len(SUNK)
+    sunk = SUNK * _lies_on_skin(style, np.array(end))
+    reach[-n:] += sunk * (_skin_at(height[-n:], ways) - BURIED - reach[-n:])
     return np.stack((reach * np.sin(angle), height, CENTRE[2] + reach * np.cos(angle)), axis=1)
+
+
+def _lies_on_skin(style: Style, ends: Floats) -> Floats:
+    """Return how far an edge lies on the skin, which it goes into with a soft end, 0..1."""
+    return np.clip((ends - ON_SKIN) / 0.1 + 1, 0, 1) if style.hangs else np.ones_like(ends)
+
+
+def _skin_at(height: Floats, ways: Floats) -> Floats:
+    """Return how far the skin is from the middle of the head at heights along one angle."""
+    return np.interp(height, CENTRE[1] + (ways * np.sin(ELEVATIONS))[::-1], (ways * np.cos(ELEVATIONS))[::-1])
 
 
 def _stranded(rows: Floats, style: Style) -> tuple[Floats, Floats]:
@@ -221,15 +236,20 @@ def _inside(rows: Floats, style: Style) -> Floats:
     return inner - flat / reach * np.minimum(deeper[np.newaxis, :, np.newaxis], 0.9 * reach)
 
 
-def _colours(person: Person, strands: Floats, style: Style) -> Floats:
-    """Return the colours of all vertices but the top: strands, and a band that shines around the head."""
+def _colours(person: Person, strands: Floats, style: Style, on_skin: Floats) -> Floats:
+    """Return the colours of all vertices but the top: strands, and a band that shines around the head.
+
+    Parameters
+    ----------
+    on_skin : how far the edge of each column lies on the skin, whose colour it nears, 0..1.
+    """
     share = np.linspace(0, 1, style.n_rows)
     shine = np.exp(-(((share - 0.36) / 0.16) ** 2)) + 0.35 * np.exp(-(((share - 0.85) / 0.2) ** 2))
     light = np.clip(0.22 + 0.55 * strands[np.newaxis, :] + 0.55 * shine[:, np.newaxis] * (0.5 + strands), 0, 1)
     hair, strand = np.array(person.hair, float), np.array(person.strand, float)
     outer = hair + light[:, :, np.newaxis] * (strand - hair)
     outer *= (0.80 + 0.20 * np.clip(share * 5, 0, 1))[:, np.newaxis, np.newaxis]
-    fading = style.fade * np.clip(1 - (1 - share) / 0.16, 0, 1)[:, np.newaxis, np.newaxis]
-    outer += fading * (np.array(person.skin) * 0.85 - outer)
+    fading = style.fade * np.clip(1 - (1 - share) / FADING, 0, 1) ** 1.3
+    outer += (fading[:, np.newaxis] * on_skin)[:, :, np.newaxis] * (np.array(person.skin) * 0.85 - outer)
     inner = np.broadcast_to(hair * SHADE, (N_INSIDE, len(strands), 3))
     return np.concatenate((outer, inner)).reshape(-1, 3)

@@ -6735,14 +6735,14 @@
             <translation>Öffnen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_model.py" />
+            <source>Open a recording or speak a text to see where both heads differ</source>
+            <translation>Eine Aufnahme öffnen oder einen Text sprechen lassen, um zu sehen, wo sich die Köpfe unterscheiden</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
             <source>Open a recording to edit its keys</source>
             <translation>Eine Aufnahme öffnen, um ihre Keyframes zu bearbeiten</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_model.py" />
-            <source>Open a recording to see where both heads differ</source>
-            <translation>Eine Aufnahme öffnen, um zu sehen, wo sich beide Köpfe unterscheiden</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
