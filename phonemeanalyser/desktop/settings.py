@@ -27,7 +27,7 @@ class Kept(Generic[T]):
         keep(settings, self.key, self.get())
 
     def restore(self, settings: QSettings) -> None:
-        """Choose what was kept; what is chosen already stays, and no view is told."""
+        """Choose what was kept; what is chosen already stays, without a signal to views."""
         chosen = self.get()
         if (kept := read(settings, self.key, chosen)) != chosen:
             self.put(kept)

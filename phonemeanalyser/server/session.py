@@ -117,7 +117,7 @@ class StreamSession:
             await self._refuse(error)
         except TimeoutError:
             await self._refuse(self._nothing_came())
-        except GoneError:  # nobody is left to tell it to
+        except GoneError:  # the client that would get it has gone
             pass
         except Exception:  # noqa: BLE001 - a bug in one stream ends no other one
             _log.exception("a stream has failed")
