@@ -11,24 +11,34 @@ import pytest
 from aiohttp import ClientSession, ClientWebSocketResponse
 
 LISTENING = "WebDriver BiDi listening on "
-PREFERENCES = 'user_pref("media.autoplay.default", 0);\nuser_pref("media.autoplay.blocking_policy", 0);\n'
-"""Sound may start without a click."""
+PREFERENCES = {
+    "media.autoplay.default": "0",
+    "media.autoplay.blocking_policy": "0",
+    "webgl.force-enabled": "true",
+    "gfx.webrender.software": "true",
+}
+"""Sound may start without a click, and software draws in three dimensions, which takes a display."""
 TIMEOUT = 180.0
 LARGEST = 1 << 26
 """Bytes of an answer."""
 
 
-def in_firefox(address: str, expression: str, profile: Path) -> Any:
-    """Open a page, and give what an expression in it comes to, a text, when its promise is kept."""
+def in_firefox(address: str, expression: str, profile: Path, display: dict[str, str] | None = None) -> Any:
+    """Open a page, and give what an expression in it comes to, a text, when its promise is kept.
+
+    `display`: the environment of a program that may open windows; without one there is no WebGL.
+    """
     program = shutil.which("firefox-esr") or shutil.which("firefox")
     if program is None and "CI" in os.environ:
         pytest.fail("there is no Firefox; install firefox-esr")
     if program is None:
         pytest.skip("there is no Firefox")
     profile.mkdir()
-    (profile / "user.js").write_text(PREFERENCES, encoding="utf-8")
-    words = [program, "--headless", "--no-remote", "--profile", str(profile), "--remote-debugging-port", "0"]
-    with subprocess.Popen(words, stderr=subprocess.PIPE, text=True) as firefox:
+    lines = (f'user_pref("{name}", {value});\n' for name, value in PREFERENCES.items())
+    (profile / "user.js").write_text("".join(lines), encoding="utf-8")
+    words = [program, "--no-remote", "--profile", str(profile), "--remote-debugging-port", "0"]
+    words += [] if display else ["--headless"]
+    with subprocess.Popen(words, stderr=subprocess.PIPE, text=True, env=display) as firefox:
         assert firefox.stderr is not None
         try:
             line = next(line for line in firefox.stderr if LISTENING in line)

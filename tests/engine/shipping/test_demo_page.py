@@ -1,4 +1,4 @@
-"""The demo page in Chromium, whose microphone plays a recording."""
+"""The demo page in Chromium, whose microphone plays a recording, and in Firefox."""
 
 import functools
 import http.server
@@ -7,7 +7,7 @@ import os
 import shutil
 import subprocess
 import threading
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -18,6 +18,8 @@ import soundfile
 
 from phonemeengine import Phoneme, load_preset, ship
 from tests.engine.shipping.test_same_results import recognised_by_engine, speech
+from tests.fakes.virtual_sound import VirtualSound
+from tests.firefox import in_firefox
 from tests.sounds import Sound, silence
 
 pytestmark = pytest.mark.browser
@@ -98,7 +100,13 @@ def microphone(tmp_path: Path, sound: Sound) -> tuple[str, ...]:
 
 def shown(page: Page) -> np.ndarray:
     """Give the phoneme that the page shows for each frame."""
-    rows = page.eval_on_selector_all("#phonemes tr", "rows => rows.map(r => [...r.cells].map(c => c.textContent))")
+    return frames_of_rows(
+        page.eval_on_selector_all("#phonemes tr", "rows => rows.map(r => [...r.cells].map(c => c.textContent))")
+    )
+
+
+def frames_of_rows(rows: Sequence[Sequence[str]]) -> np.ndarray:
+    """Give the phoneme of each frame of the table: start, end and name in each row."""
     frames: list[int] = []
     for start, end, name in rows:
         assert round(100 * float(start)) == len(frames)
@@ -156,6 +164,59 @@ def test_a_file_is_shown_as_python_finds_it_and_the_mouth_moves(address: str, tm
         assert page.inner_text("#state") == "Preset Learned"
     assert any(mouth != still for mouth in mouths)
     assert likeness(found, SOUND) >= SAME
+
+
+USE = """(async () => {
+  const element = (id) => document.getElementById(id);
+  const until = async (done) => { while (!done()) await new Promise((resolve) => setTimeout(resolve, 50)); };
+  await until(() => element("head").ariaLabel.startsWith("head.glb"));
+  const sum = new OffscreenCanvas(40, 20).getContext("2d", { willReadFrequently: true });
+  const mouths = new Set();
+  requestAnimationFrame(function look() {
+    const { width, height } = element("head");
+    sum.drawImage(element("head"), 0, height / 2, width, height / 3, 0, 0, 40, 20);
+    mouths.add(String(sum.getImageData(0, 0, 40, 20).data));
+    requestAnimationFrame(look);
+  });
+  const clip = new Promise((resolve) => {
+    HTMLAnchorElement.prototype.click = async function () {
+      resolve([this.download, (await (await fetch(this.href)).blob()).size]);
+    };
+  });
+  const files = new DataTransfer();
+  files.items.add(new File([await (await fetch("speech.wav")).arrayBuffer()], "speech.wav"));
+  element("file").files = files.files;
+  element("file").dispatchEvent(new Event("change"));
+  await until(() => !element("record").disabled);
+  element("record").click();
+  await until(() => element("stop").disabled);
+  const cells = ({ cells }) => [...cells].map((cell) => cell.textContent);
+  const rows = [...document.querySelectorAll("#phonemes tr")].map(cells);
+  return JSON.stringify({ rows, mouths: mouths.size, clip: await clip, trouble: element("trouble").textContent });
+})()"""
+
+
+def test_firefox_shows_a_file_moves_the_head_and_records_a_clip(address: str, folder: Path, tmp_path: Path) -> None:
+    soundfile.write(folder / "demo" / "speech.wav", np.concatenate((SOUND, silence(1.0))), 44_100, subtype="PCM_16")
+    with VirtualSound() as sound, display() as place:
+        environment = {**sound.environment, "DISPLAY": place, "LIBGL_ALWAYS_SOFTWARE": "1"}
+        told = json.loads(in_firefox(address, USE, tmp_path / "profile", environment))
+    assert told["trouble"] == ""
+    assert likeness(frames_of_rows(told["rows"]), SOUND) >= SAME
+    assert told["mouths"] > 20
+    name, size = told["clip"]
+    assert name == "clip.webm"
+    assert size > 20_000
+
+
+@contextmanager
+def display() -> Iterator[str]:
+    """Give the name of a display of its own, without a screen."""
+    words = ["Xvfb", "-displayfd", "1", "-screen", "0", "1024x700x24"]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as server:
+        assert server.stdout is not None
+        yield f":{server.stdout.readline().strip()}"
+        server.terminate()
 
 
 @pytest.mark.parametrize(

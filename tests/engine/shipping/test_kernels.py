@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.compiled_ears import compiled
+from tests.compiled_ears import SOURCES, compiled, compiler
 
 PROBE = Path(__file__).parents[2] / "kernels_probe.c"
 OTHERS = {
@@ -23,6 +23,17 @@ def test_vectors_give_what_plain_c_gives(each_compiler: str, flags: tuple[str, .
     assert done.returncode == 0, done.stdout
     assert done.stdout.startswith("plain to the last bit\n")
     assert (len(done.stdout.splitlines()) > 1) == ("-O2" in flags)
+
+
+def test_clang_with_the_rules_of_microsoft_compiles_the_vectors(tmp_path: Path) -> None:
+    declared = SOURCES.with_name("declared")
+    (tmp_path / "malloc.h").write_text("#include <stdlib.h>\n", encoding="utf-8")  # which clang's own headers include
+    system = "--target=x86_64-pc-windows-msvc", "-nostdlibinc", "-isystem", declared, "-isystem", tmp_path
+    made = tmp_path / "ear.o"
+    words = [compiler("clang"), "-std=c99", *system, "-O1", "-w", "-c", SOURCES / "ear.c", "-o", made]
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert b"AVX2" in made.read_bytes()
 
 
 @pytest.mark.long

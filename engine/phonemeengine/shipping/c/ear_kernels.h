@@ -246,10 +246,15 @@ static const kernels PLAIN_KERNELS = {
 #define V4_SUB(a, b) vsubq_f32(a, b)
 #define V4_MUL(a, b) vmulq_f32(a, b)
 #define V4_MULTIPLY_ADD(sum, a, b) vfmaq_f32(sum, a, b)
-#define V4_SET(a, b, c, d) (float32x4_t){a, b, c, d}
+#define V4_SET(a, b, c, d) four_of(a, b, c, d)
 #define V4_LOW(a, b) vzip1q_f32(a, b)
 #define V4_HIGH(a, b) vzip2q_f32(a, b)
 #define V4_RECTIFY(value) vmaxnmq_f32(value, vdupq_n_f32(0))
+static float32x4_t four_of(float a, float b, float c, float d)
+{
+    const float values[4] = {a, b, c, d};
+    return vld1q_f32(values); /* MSVC has no other way */
+}
 #elif defined(__SSE2__) || defined(_M_X64)
 #include <immintrin.h>
 #define V4_NAME "SSE2"
@@ -428,6 +433,11 @@ static const kernels KERNELS_OF_4 = {
 #define AVX2_TARGET
 #else
 #include <cpuid.h>
+#ifdef _MSC_VER /* clang-cl, whose immintrin.h leaves out what it was not told to compile for */
+#include <pmmintrin.h>
+#include <avxintrin.h>
+#include <fmaintrin.h>
+#endif
 #define AVX2_TARGET __attribute__((target("avx2,fma")))
 #endif
 
