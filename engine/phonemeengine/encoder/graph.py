@@ -106,27 +106,24 @@ def live_graph(
     frames = _convolution(graph, weights, "conv1", _time_first(graph, "mel"), step=1)
     newest = _convolution(graph, weights, "conv2", frames, step=2)
     newest = graph.node("Add", newest, graph.constant(weights["position_encodings/encodings"]))
-    n = graph.length(newest, 1)
-    known = graph.node("Concat", "pending", newest, axis=1)
+    n, known = graph.length(newest, 1), graph.node("Concat", "pending", newest, axis=1)
     outputs = {"next_pending": graph.slice(known, n, graph.node("Add", n, graph.integers(1)), 1)}
     one = graph.integers(1)
     start = graph.node("Sub", one, "ahead")
-    end = graph.node("Add", start, n)
-    none = graph.integers(0)
+    end, none = graph.node("Add", start, n), graph.integers(0)
     states, ahead, count = graph.slice(known, start, end, 1), "ahead", "count"
     for k in range(layer_count(weights)):
         name = f"layer_{k}/self_attention"
         parts = _heads_of(graph, weights, name, _norm(graph, weights, f"{name}/layer_norm", states if k else known))
         if k == 0:
-            parts = _of_first_layer(graph, parts, n, start, end)
+            parts = _of_first_layer(graph, parts, n, (start, end), one)
         if k < 2:  # all layers but the first look at the same places
             places = _places(graph, n, count, ahead)
             ahead, count = none, graph.node("Sub", "count", "ahead")
         bias = _relative_bias(graph, weights[f"{name}/relative_bias"], places)
-        found = _attention(graph, parts, k, bias)
-        states = _after_attention(graph, weights, k, states, found)
+        states = _after_attention(graph, weights, k, states, _attention(graph, parts, k, bias))
         outputs |= {f"new_keys_{k}": parts.keys, f"new_values_{k}": parts.values}
-    outputs = {"states": _final_norm(graph, weights, states)} | outputs
+    outputs = {"states": _final_norm(graph, weights, states), **outputs}
     inputs = live_inputs(layer_count(weights), len(weights["conv2/bias"]))
     return graph.model(inputs, outputs, metadata or {}, _kept_of(weights, anchors))
 
@@ -302,11 +299,10 @@ def _heads_of(graph: _Graph, weights: Weights, name: str, normed: str) -> _HeadI
     return _HeadInputs(queries, graph.node("Transpose", parts[1], perm=[0, 2, 3, 1]), values)
 
 
-def _of_first_layer(graph: _Graph, parts: _HeadInputs, n: str, start: str, end: str) -> _HeadInputs:
-    """Return the queries of the n states from the pending one on, and the keys and values of the n new ones."""
-    one = graph.integers(1)
+def _of_first_layer(graph: _Graph, parts: _HeadInputs, n: str, asked: tuple[str, str], one: str) -> _HeadInputs:
+    """Return the queries of the states from the pending one on, and the keys and values of the new ones."""
     after = graph.node("Add", n, one)
-    queries = graph.slice(parts.queries, start, end, 2)
+    queries = graph.slice(parts.queries, *asked, 2)
     return _HeadInputs(queries, graph.slice(parts.keys, one, after, 3), graph.slice(parts.values, one, after, 2))
 
 
