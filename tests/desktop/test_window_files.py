@@ -223,15 +223,15 @@ def test_a_bad_sound_gives_one_sentence_and_leaves_everything(desktop, qtbot, tm
     assert desktop.session.source.playing
 
 
-@pytest.mark.parametrize("name", DAMAGED)
-def test_damage_met_while_playing_stops_with_one_sentence(desktop, window, qtbot, tmp_path, name):
-    window.dialogs.open_sound(DAMAGED[name](tmp_path))
-    desktop.session.seek(max(0.0, min(1.6, desktop.session.source.duration - 0.5)))
-    click(window.transport.play)
-    qtbot.waitUntil(lambda: not desktop.session.source.playing)
-    assert is_one_sentence(window)
-    window.dialogs.open_sound(CARDS)
-    assert not window.banner.isVisible()
+def test_damage_met_while_playing_stops_with_one_sentence(desktop, window, qtbot, tmp_path):
+    for name, write in DAMAGED.items():
+        window.dialogs.open_sound(write(tmp_path))
+        desktop.session.seek(max(0.0, min(1.6, desktop.session.source.duration - 0.5)))
+        click(window.transport.play)
+        qtbot.waitUntil(lambda: not desktop.session.source.playing)
+        assert is_one_sentence(window), name
+        window.dialogs.open_sound(CARDS)
+        assert not window.banner.isVisible()
     click(window.transport.play)
     n = desktop.session.history.n
     qtbot.waitUntil(lambda: desktop.session.history.n > n + 5)

@@ -160,8 +160,7 @@ def test_home_and_end_go_to_the_ends(desktop, panel):
     assert desktop.session.view.seen.start == 0
 
 
-@pytest.mark.parametrize("name", ["formants", "pitch", "level", "feeling"])
-def test_what_is_drawn_over_the_sonagram_is_seen_read_out_and_switched_off(desktop, panel, qtbot, name):
+def test_what_is_drawn_over_the_sonagram_is_seen_read_out_and_switched_off(desktop, panel, qtbot):
     view, sonagram = panel.view, panel.view._layout.rows()[0]
     loud = int(desktop.session.whole.tracks.intensities.argmax())
     desktop.session.view.show(TimeSpan(loud * FRAME_PERIOD - 0.3, loud * FRAME_PERIOD + 0.3))
@@ -171,13 +170,13 @@ def test_what_is_drawn_over_the_sonagram_is_seen_read_out_and_switched_off(deskt
         QTest.mouseMove(view, QPoint(x, round(sonagram.center().y())))
     before, words = view.grab(sonagram.toRect()).toImage(), view.reading()
     assert "Hz" in words
-    desktop.window.analysis.sonagram.overlays[name].trigger()
-    told = {"formants": "F1 ", "pitch": "f0 ", "level": "level ", "feeling": "Activation "}[name]
-    qtbot.waitUntil(lambda: told in view.reading())
-    assert told not in words
-    assert view.grab(sonagram.toRect()).toImage() != before
-    desktop.window.analysis.sonagram.overlays[name].trigger()
-    assert told not in view.reading()
+    for name, told in (("formants", "F1 "), ("pitch", "f0 "), ("level", "level "), ("feeling", "Activation ")):
+        desktop.window.analysis.sonagram.overlays[name].trigger()
+        qtbot.waitUntil(lambda told=told: told in view.reading())
+        assert told not in words
+        assert view.grab(sonagram.toRect()).toImage() != before
+        desktop.window.analysis.sonagram.overlays[name].trigger()
+        assert told not in view.reading()
 
 
 def test_without_a_file_nothing_is_painted_and_nothing_breaks(desktop, qtbot):

@@ -82,21 +82,18 @@ def test_rules_are_listed_in_the_order_of_decision_with_their_conditions(editor)
     assert not editor.words.isVisibleTo(editor)
 
 
-@pytest.mark.parametrize(
-    ("at", "column", "value", "expected"),
-    [
+def test_what_a_cell_holds_is_edited_in_place_and_undone(desktop, editor):
+    for at, column, value, expected in (
         ((0, None), NAME, Phoneme.P, Rule(Phoneme.P, (QUIET,))),
         ((0, 0), NAME, "energy", Rule(Phoneme.SILENCE, (replace(QUIET, variable="energy"),))),
         ((0, 0), SIGN, ">", Rule(Phoneme.SILENCE, (replace(QUIET, sign=">"),))),
         ((0, 0), LIMIT, "0,25", Rule(Phoneme.SILENCE, (replace(QUIET, limit=0.25),))),
-    ],
-)
-def test_what_a_cell_holds_is_edited_in_place_and_undone(desktop, editor, at, column, value, expected):
-    enter(editor, item(editor, *at), column, value)
-    assert desktop.preset.preset.rules == (expected, *OWN[1:])
-    desktop.preset.undo_stack.undo()
-    assert desktop.preset.preset.rules == OWN
-    assert texts(editor)[0] == "1  silence"
+    ):
+        enter(editor, item(editor, *at), column, value)
+        assert desktop.preset.preset.rules == (expected, *OWN[1:])
+        desktop.preset.undo_stack.undo()
+        assert desktop.preset.preset.rules == OWN
+        assert texts(editor)[0] == "1  silence"
 
 
 def test_what_is_no_number_changes_nothing(desktop, editor):

@@ -1,5 +1,6 @@
 """Avatars: VRM 0 and 1, their bones, expressions and textures."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -186,28 +187,37 @@ def circle(document: dict[str, Any]) -> None:
     document["nodes"][JAW]["children"] = [2]
 
 
-BAD: dict[str, tuple[bytes, str]] = {
-    "no VRM": (format_glb(load_head()), "this is no VRM"),
-    "cut off": (b"glTF\2\0\0\0", "ends within its header"),
-    "text": (b"hello", "its JSON cannot be read"),
-    "a circle": (avatar(0, change=circle), "below two others|in a circle"),
+BAD: dict[str, tuple[Callable[[], bytes], str]] = {  # made where they are used: test files are read by each process
+    "no VRM": (lambda: format_glb(load_head()), "this is no VRM"),
+    "cut off": (lambda: b"glTF\2\0\0\0", "ends within its header"),
+    "text": (lambda: b"hello", "its JSON cannot be read"),
+    "a circle": (lambda: avatar(0, change=circle), "below two others|in a circle"),
     "a ring": (
-        avatar(1, change=lambda d: d["nodes"].extend([{"children": [7]}, {"children": [6]}])),
+        lambda: avatar(1, change=lambda d: d["nodes"].extend([{"children": [7]}, {"children": [6]}])),
         "the bones of its skeleton go in a circle",
     ),
-    "a large texture": (avatar(1, picture=png(16384, 1)), "texture 'skin' has 16384 x 1 pixels, and at most 8192"),
-    "no such bone": (avatar(1, change=lambda d: d["skins"][0].update(joints=[2])), "a skin of 1|its skin has 1"),
-    "no such node": (avatar(1, change=lambda d: d["nodes"][1].update(children=[99])), "number 99 of its nodes"),
+    "a large texture": (
+        lambda: avatar(1, picture=png(16384, 1)),
+        "texture 'skin' has 16384 x 1 pixels, and at most 8192",
+    ),
+    "no such bone": (
+        lambda: avatar(1, change=lambda d: d["skins"][0].update(joints=[2])),
+        "a skin of 1|its skin has 1",
+    ),
+    "no such node": (
+        lambda: avatar(1, change=lambda d: d["nodes"][1].update(children=[99])),
+        "number 99 of its nodes",
+    ),
     "few matrices": (
-        avatar(1, change=lambda d: d["skins"][0].update(inverseBindMatrices=0)),
+        lambda: avatar(1, change=lambda d: d["skins"][0].update(inverseBindMatrices=0)),
         "a skin of 4 bones has",
     ),
 }
 
 
-@pytest.mark.parametrize(("content", "said"), BAD.values(), ids=BAD)
-def test_a_bad_avatar_is_refused_in_one_sentence(tmp_path: Path, content: bytes, said: str) -> None:
-    (tmp_path / "bad.vrm").write_bytes(content)
+@pytest.mark.parametrize(("write", "said"), BAD.values(), ids=BAD)
+def test_a_bad_avatar_is_refused_in_one_sentence(tmp_path: Path, write: Callable[[], bytes], said: str) -> None:
+    (tmp_path / "bad.vrm").write_bytes(write())
     with pytest.raises(MeshError, match=said) as refusal:
         load_morph_mesh(tmp_path / "bad.vrm")
     assert str(refusal.value).startswith("bad.vrm: ")

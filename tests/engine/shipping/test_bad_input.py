@@ -166,6 +166,7 @@ def test_one_ear_needs_less_than_201_kilobytes_besides_its_model(library: EarLib
     assert CEar(model, 48_000).size < 201_000
 
 
+@pytest.mark.long  # test_folder has both compile the same, less optimised, with warnings as errors
 def test_no_compiler_has_anything_to_say(each_compiler: str, tmp_path: Path) -> None:
     for source in (SOURCES / "ear.c", *sorted(SOURCES.glob("examples/*.c"))):
         command = [each_compiler, *STRICT, "-O2", "-c", str(source), "-o", str(tmp_path / "made.o")]
