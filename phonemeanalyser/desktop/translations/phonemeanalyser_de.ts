@@ -13310,6 +13310,11 @@
             <translation>{path}: Keine Textdatei; {what} wählen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/performance_model.py" />
+            <source>{person} has no table, or several, in the language of the text; {table} moves the face.</source>
+            <translation>{person} hat keine oder mehrere Tabellen in der Sprache des Textes; {table} bewegt das Gesicht.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>{person}, by the language of the text</source>
             <translation>{person}, nach der Sprache des Textes</translation>

@@ -157,12 +157,13 @@ def test_a_table_of_a_person_is_chosen_by_the_language_of_the_text(desk: Desk, t
     assert [box.itemText(k) for k in (1, 3)] == ["Ann, by the language of the text", "en-us, Ann, en-us"]
     box.setCurrentIndex(1)
     box.activated.emit(1)
-    for tag in ("de", "en-gb"):
+    for tag in ("de", "en-gb", "fr"):
         desk.texts.set_language(tag)
         settle(desk)
-        assert performance.name == {"de": "de", "en-gb": "en-us"}[tag]
+        assert performance.name == {"de": "de", "en-gb": "en-us", "fr": "en-us"}[tag]
         assert desk.texts.drivers.exported.performance == (performance.chosen,)
         assert (box.currentIndex(), desk.failed) == (1, [])
+    assert desk.told[-1].startswith("Ann has no table, or several, in the language of the text; en-us moves")
     performance.choose(tmp_path / "de.sqlite")
     settle(desk)
     assert (box.currentText(), performance.person) == ("de, Ann, de", "")

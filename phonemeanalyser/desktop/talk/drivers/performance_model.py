@@ -271,10 +271,11 @@ class PerformanceModel(OpenedFiles):
         own = [path for path, about in self.known.items() if about.person == self.person]
         try:
             path = own[chosen_table([self.known[one] for one in own], None, None, self._language)]
-        except PerformanceError as error:
-            if self._language:  # several are of it
-                self.error.emit(str(error))
+        except PerformanceError:  # none is of it, or several are
             path = self.chosen if self.chosen in own else own[0]
+            if self._language:
+                told = tr("{person} has no table, or several, in the language of the text; {table} moves the face.")
+                self.info.emit(told.format(person=self.person, table=self.known[path].name))
         if path != self.chosen:
             self._open(path)
 
