@@ -22,6 +22,13 @@
  * Where a function takes `memory`, it may be NULL: then the memory is allocated, and freed by the close. Else it is
  * the caller's, at least as many bytes as the function that ends in _size says, aligned as malloc aligns, and stays
  * untouched until the object is closed.
+ *
+ * Results: a function of type int returns EAR_OK or another code of the list below, unless its comment says that it
+ * returns a number. After an error, what it would have opened is NULL, and no frames were given. A text is UTF-8,
+ * never NULL, and lasts as long as its model. A model, recogniser or mouth that is handed in must be open; the closes
+ * take NULL, too, and do nothing then.
+ *
+ * Units: times are seconds, rates samples a second, intensities, confidences, scores and weights 0..1.
  */
 #ifndef EAR_H
 #define EAR_H
@@ -57,15 +64,15 @@ enum {
 /* What a function returns; ear_error_text says it in a sentence. */
 enum {
     EAR_OK = 0,
-    EAR_NO_EAR_FILE = 1,
-    EAR_NEWER_FILE = 2,
-    EAR_DAMAGED_FILE = 3,
-    EAR_OUT_OF_MEMORY = 4,
-    EAR_TOO_LITTLE_MEMORY = 5,
-    EAR_BAD_RATE = 6,
-    EAR_TOO_FEW_FRAMES = 7,
-    EAR_NO_TABLE = 8,
-    EAR_BAD_ARGUMENT = 9
+    EAR_NO_EAR_FILE = 1,       /* ear_model_size, ear_model_open */
+    EAR_NEWER_FILE = 2,        /* the same: for a later version of this library */
+    EAR_DAMAGED_FILE = 3,      /* the same */
+    EAR_OUT_OF_MEMORY = 4,     /* the functions that open something, if memory is NULL */
+    EAR_TOO_LITTLE_MEMORY = 5, /* the same, if it is not */
+    EAR_BAD_RATE = 6,          /* ear_size, ear_open */
+    EAR_TOO_FEW_FRAMES = 7,    /* ear_push and the like, ear_finish: `most` is too small; nothing was taken */
+    EAR_NO_TABLE = 8,          /* ear_table_blend, ear_mouth_size, ear_mouth_open: no table of this number */
+    EAR_BAD_ARGUMENT = 9       /* any: a pointer that is needed is NULL, or a number out of its range */
 };
 
 enum { EAR_LOWEST_RATE = 1000, EAR_HIGHEST_RATE = 768000 };
@@ -101,23 +108,28 @@ EAR_API const char *ear_viseme_name(int viseme);
 /* frame->viseme_scores[viseme], for languages that cannot read arrays in structures; 0 for what is none. */
 EAR_API float ear_frame_viseme_score(const ear_frame *frame, int viseme);
 
-/* -- A model: a preset, and what it knows. Its file's bytes are not needed once it is open. -- */
+/* -- A model: a preset, and what it knows. -- */
 
+/* Check the bytes of an .ear file, and give how many bytes of memory its model needs. */
 EAR_API int ear_model_size(const void *bytes, size_t n_bytes, size_t *size);
+/* Open a model of these bytes, which are checked first, and not needed afterwards. */
 EAR_API int ear_model_open(const void *bytes, size_t n_bytes, void *memory, size_t size, ear_model **model);
+/* Close it after all that was opened with it. */
 EAR_API void ear_model_close(ear_model *model);
 /* The preset's name, UTF-8. */
 EAR_API const char *ear_model_name(const ear_model *model);
-/* For how many frames of 10 ms after a frame it waits before it says what that is. */
+/* Return for how many frames of 10 ms after a frame it waits before it says what that is. */
 EAR_API int ear_model_look_ahead(const ear_model *model);
-/* The visemes that it tells apart, and their names, in the order of ear_frame.viseme: EAR_VISEMES, or its own. */
+/* Return how many visemes it knows: EAR_VISEMES, or its own; and the name of each, in the order of ear_frame.viseme. */
 EAR_API int ear_model_visemes(const ear_model *model);
 EAR_API const char *ear_model_viseme(const ear_model *model, int viseme);
 
 /* -- A recogniser of one stream: float of full scale +-1, or int16, at any rate of 1..768 kHz. -- */
 
+/* Give how many bytes of memory a recogniser for a sample rate needs. */
 EAR_API int ear_size(const ear_model *model, uint32_t rate, size_t *size);
 /*
+ * Open a recogniser for sound of a sample rate; the model stays open as long.
  * `frame_size` is sizeof(ear_frame) as your program knows it: the library writes frames of that size, so a program and
  * a library of other versions fit. What the library does not know is 0. The macro ear_open gives it; the function of
  * that name is for programs of before 0.9.0, whose frames end after `scores`.
@@ -130,9 +142,9 @@ EAR_API int ear_open(const ear_model *model, uint32_t rate, void *memory, size_t
     ear_open_sized(model, rate, sizeof(ear_frame), memory, size, listener)
 EAR_API void ear_close(ear *listener);
 /*
- * Take the next samples, and give the frames that became known. Cut the sound as you like: the frames are the same.
- * `most` is the room in `frames`; EAR_MOST_FRAMES is always enough, and where it may not be, nothing is taken.
- * Samples that are no number, or beyond +-1e6, count as 0.
+ * Take the next n samples, and give the frames that became known, and their number. Cut the sound as you like: the
+ * frames are the same. `most` is the room in `frames`; EAR_MOST_FRAMES is always enough, and where it may not be,
+ * nothing is taken. Samples that are no number, or beyond +-1e6, count as 0.
  */
 EAR_API int ear_push(ear *listener, const float *samples, size_t n, ear_frame *frames, size_t most, size_t *n_frames);
 /* The same with n samples of each of 1..64 channels, which lie interleaved; their mean is recognised. */
@@ -146,40 +158,45 @@ EAR_API int ear_push_int16(
 EAR_API int ear_finish(ear *listener, ear_frame *frames, size_t most, size_t *n_frames);
 /* Forget the sound, and begin another one. */
 EAR_API void ear_reset(ear *listener);
-/* From the middle of a frame to when ear_push gives it: the mean, seconds. */
+/* Return the time from the middle of a frame to when ear_push gives it: the mean, in seconds. */
 EAR_API double ear_latency(const ear *listener);
 
 /* -- Mouth tables of the model: which shape of a face goes with a phoneme or viseme. -- */
 
+/* Return how many there are. A table is named by its number, from 0. */
 EAR_API int ear_table_count(const ear_model *model);
-/* The number of the table of a name, such as "arkit"; -1 where the model has none. */
+/* Return the number of the table of a name, such as "arkit"; -1 where the model has none. */
 EAR_API int ear_table_find(const ear_model *model, const char *name);
 EAR_API const char *ear_table_name(const ear_model *model, int table);
-/* The blend shapes that it moves, in the order of all weights. */
+/* Return how many blend shapes (movestates) it moves, 0 for what is no table; and the name of each, in the order of all
+ * weights. */
 EAR_API int ear_table_movestates(const ear_model *model, int table);
 EAR_API const char *ear_table_movestate(const ear_model *model, int table, int movestate);
-/* The mouth shape of a phoneme or viseme, by number and by name, such as "B": for drawings and sprites. */
+/* For drawings and sprites: return how many mouth shapes it has, 0 for what is no table; the number of the shape that goes
+ * with a frame's phoneme and viseme, -1 for what is no table; and the name of a shape, such as "B". */
 EAR_API int ear_table_shapes(const ear_model *model, int table);
 EAR_API int ear_table_shape(const ear_model *model, int table, int phoneme, int viseme);
 EAR_API const char *ear_table_shape_name(const ear_model *model, int table, int shape);
 
 /*
- * The weights of a table's movestates for one frame, 1 for the whole movement: the shapes of all visemes, each by how
- * likely it is, and by the intensity but where lips meet; of the phonemes where the model tells no visemes apart. They
- * are continuous and not smoothed; `frame` is one of this header's.
+ * Give the weights of a table's movestates for one frame, as many as ear_table_movestates says: the shapes of all
+ * visemes, each by how likely it is, and by the intensity but where lips meet; of the phonemes where the model tells no
+ * visemes apart. They are continuous and not smoothed; `frame` is one of this header's.
  */
 EAR_API int ear_table_blend(const ear_model *model, int table, const ear_frame *frame, float *weights);
 
 /* -- A mouth: moves smoothly from shape to shape; equal seeds make equal mouths. -- */
 
+/* Give how many bytes of memory a mouth needs that moves by a table. */
 EAR_API int ear_mouth_size(const ear_model *model, int table, size_t *size);
+/* Open one; the model stays open as long. */
 EAR_API int ear_mouth_open(
     const ear_model *model, int table, uint32_t seed, void *memory, size_t size, ear_mouth **mouth
 );
 EAR_API void ear_mouth_close(ear_mouth *mouth);
-/* Take what is recognised from a time on, seconds of a clock of yours, which never goes back. */
+/* Take what is recognised from a time on, in seconds of a clock of yours, which never goes back. */
 EAR_API void ear_mouth_hear(ear_mouth *mouth, double time, int phoneme, int viseme, float intensity);
-/* The weights of the movestates at a time, 1 for the whole movement; times never go back. */
+/* Give the weights of the movestates at a time, as many as ear_table_movestates says; times never go back. */
 EAR_API void ear_mouth_weights(ear_mouth *mouth, double time, float *weights);
 
 #ifdef __cplusplus

@@ -11,13 +11,15 @@ export const canRecord = (canvas) => Boolean(canvas.captureStream && kind());
 export class Clip {
   #recorder;
   #pictures;
+  #release;
   #parts = [];
 
   /** Begin to record a canvas, and a node of the Web Audio API. */
   constructor(canvas, sound) {
-    const { stream } = sound.connect(new MediaStreamAudioDestinationNode(sound.context));
+    const heard = sound.connect(new MediaStreamAudioDestinationNode(sound.context));
+    this.#release = () => sound.disconnect(heard);
     this.#pictures = canvas.captureStream(RATE);
-    const tracks = [...this.#pictures.getTracks(), ...stream.getTracks()];
+    const tracks = [...this.#pictures.getTracks(), ...heard.stream.getTracks()];
     this.#recorder = new MediaRecorder(new MediaStream(tracks), { mimeType: kind() });
     this.#recorder.ondataavailable = ({ data }) => this.#parts.push(data);
     this.#recorder.start();
@@ -31,6 +33,7 @@ export class Clip {
       else this.#recorder.stop();
     });
     this.#pictures.getTracks().forEach((track) => track.stop());
+    this.#release();
     const type = this.#recorder.mimeType.split(";")[0];
     return new File(this.#parts, `clip.${type.split("/")[1]}`, { type });
   }

@@ -6,7 +6,7 @@ import { Head } from "./head.js";
 import { Spectrum } from "./spectrum.js";
 
 const MOST_ROWS = 1000;
-const MOUTH_TAKES = 0.12; // seconds until a mouth has moved: sound is played and recorded as much later as it is recognised
+const MOUTH_TAKES = 0.12; // seconds until a mouth has moved: sound is played and recorded that much after it is recognised
 const REST = { phoneme: 0, viseme: NO_VISEME, intensity: 0 };
 
 const element = (id) => document.getElementById(id);
@@ -155,9 +155,10 @@ function list({ number, phoneme }) {
   element("list").scrollTop = element("list").scrollHeight;
 }
 
-async function showHead(bytes, name) {
+/* `read` gives the bytes of a file. */
+async function showHead(read, name) {
   try {
-    await head.show(bytes);
+    await head.show(await read());
   } catch {
     complain(`${name}: this head cannot be read; choose a GLB or VRM file with everything in it`);
     return;
@@ -177,7 +178,7 @@ async function take(file, isHead = /\.(glb|vrm)$/i.test(file?.name)) {
   complain("");
   if (!model) complain("the recogniser is not there yet; choose the file again when it is");
   else if (!isHead) await play(file);
-  else if (head) await showHead(await file.arrayBuffer(), file.name);
+  else if (head) await showHead(() => file.arrayBuffer(), file.name);
   else complain(`${file.name}: this browser draws no 3D (WebGL), so it shows no head`);
 }
 
@@ -196,8 +197,7 @@ async function load() {
     complain("this browser draws no 3D (WebGL), so there is no head; everything else works");
   }
   end();
-  const answer = head && (await fetch("head.glb"));
-  if (head) await showHead(await answer.arrayBuffer(), "head.glb");
+  if (head) await showHead(async () => (await fetch("head.glb")).arrayBuffer(), "head.glb");
 }
 
 element("microphone").onclick = () => begin("Listening to the microphone");
