@@ -430,12 +430,13 @@ def recognise_window(buffer: ArrayLike, preset: Preset) -> Reading:
 
 
 def _recogniser_key(preset: Preset) -> object:
-    return preset.recogniser, preset.config, preset.model_kind, preset.live_encoder
+    return preset.recogniser, preset.config, preset.model_kind, preset.live_encoder, preset.search
 
 
 def _smoothing_of(preset: Preset) -> tuple[float, Mapping[Phoneme, Phoneme], float]:
     settings = preset.settings
-    return settings.minimum_hold, preset.successors, 0.0 if preset.decoder else settings.hysteresis
+    searched = preset.decoder is not None or preset.search is not None
+    return settings.minimum_hold, preset.successors, 0.0 if searched else settings.hysteresis
 
 
 def analyse_blocks(

@@ -379,7 +379,8 @@ class AnalysisSettings:
     mel_bands : number of triangular filters of the mel bank, 4..80.
     statistics : whether flicker is held and unidentified frames are replaced.
     minimum_hold : least time that a phoneme stays, seconds.
-    hysteresis : by how much another phoneme must be the better one to follow, 0..1; 0 lets the best one follow.
+    hysteresis : by how much another phoneme must be the better one to follow, 0..1; 0 lets the best one follow. In a
+        whole sound, a search through the scores takes its place; see `phonemeengine.presets.preset.Preset.search`.
     decoder : whether a search finds the phonemes behind the answers of rules, and with which language's statistics;
         it takes the place of `hysteresis`, and of successors of unidentified frames.
     change_cost : what a change of phoneme costs there, nats, 0..10.

@@ -19,6 +19,7 @@ from phonemeengine.recognition.encoded import OVERLAP, STRETCH, EncodedRecognise
 from phonemeengine.recognition.learned import LearnedRecogniser
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.scores import Sensitivity
+from phonemeengine.recognition.searched import searched
 from phonemeengine.recognition.smoothing import UNREPLACED
 from phonemeengine.recognition.spec import LEARNED
 from phonemeengine.settings import FRAME_PERIOD, HOP, AnalysisSettings, ModelKind
@@ -146,7 +147,8 @@ def with_head(
         return shares[first : first + -(-len(samples) // HOP)]
 
     network = LearnedRecogniser(preset.model, SETTINGS.look_ahead)
-    return predict(utterance, preset, recogniser=EncodedRecogniser(network, states, priors, Sensitivity({})))
+    both = EncodedRecogniser(network, states, priors, Sensitivity({}))
+    return predict(utterance, preset, recogniser=searched(both, preset.search))
 
 
 def recognise_by_look_ahead(

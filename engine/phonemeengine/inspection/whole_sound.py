@@ -249,7 +249,7 @@ class RetunedSound:
         if _key_of(preset) != self._key:
             return False
         tracks, settings = self._tracks, preset.settings
-        tracks.recognised[:], codes = self._retuner.recognise(preset)
+        tracks.recognised[:], codes = self._retuner.recognise(for_files(preset))
         scores = self._retuner.scores(preset)
         tracks.phonemes[:] = codes
         bounds = settings.intensity_low, settings.intensity_high

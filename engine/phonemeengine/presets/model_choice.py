@@ -19,6 +19,7 @@ from phonemeengine.recognition.learned import LearnedRecogniser
 from phonemeengine.recognition.model import LookAheadFigures, figures_by_look_ahead
 from phonemeengine.recognition.real_time import RealTimeRecogniser, real_time_look_ahead, states_ahead
 from phonemeengine.recognition.scores import Sensitivity
+from phonemeengine.recognition.searched import searched
 from phonemeengine.recognition.spec import Recogniser, Tuning, recogniser_of, spec_of
 from phonemeengine.settings import FRAME_PERIOD, ModelKind
 
@@ -136,6 +137,10 @@ def recogniser_for(preset: Preset, states: Float32Array | None = None) -> Recogn
     ------
     EngineError : it cannot be made.
     """
+    return searched(_bare_recogniser_for(preset, states), preset.search)
+
+
+def _bare_recogniser_for(preset: Preset, states: Float32Array | None) -> Recogniser:
     head, model = preset.encoder_head, preset.config.model
     if preset.model_kind is ModelKind.ENCODER:
         assert preset.live_encoder is not None

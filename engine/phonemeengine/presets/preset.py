@@ -12,7 +12,7 @@ from phonemeengine.features.variables import BUILT_IN_NAMES, Variable, check_use
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.judgement import Judgement
 from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve
-from phonemeengine.recognition.decoder import Confusions, Decoder, check_confusions
+from phonemeengine.recognition.decoder import Confusions, Decoder, ScoreSearch, check_confusions
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData, PitchSet, Thresholds
 from phonemeengine.recognition.rules import Rule
@@ -28,6 +28,8 @@ PRE_ROLL = 100
 """Frames before a place in a sound that are analysed unseen, so that filters and networks know their past."""
 PITCH_PRE_ROLL = 1000
 """The same where the pitch of the voice chooses a set, which takes a second of voice, and pauses lie between."""
+SEARCHED_NATS = 15.0
+"""What a change of phoneme costs the search through the scores of a whole sound, nats for each 1 of hysteresis."""
 LIVE_KINDS = (ModelKind.REAL_TIME, ModelKind.ENCODER)
 """Models for live sound."""
 _IN_BINS = ("high_pass_start", "high_pass_end")
@@ -132,6 +134,16 @@ class Preset(ShortRepr):
         if not (settings.statistics and self.has_decoder) or settings.decoder is Decoding.OFF:
             return None
         return Decoder(self.confusions, settings.change_cost, settings.decoder)
+
+    @property
+    def search(self) -> ScoreSearch | None:
+        """What a search through the scores of a whole sound goes by; None for live sound, which has hysteresis."""
+        settings = self.settings
+        model = self.config.model if Tuning.MODEL in spec_of(self.recogniser).tuned_by else None
+        whole = model is not None and (model.centred or self.model_kind is ModelKind.WHISPER)
+        if not (whole and settings.statistics and settings.hysteresis):
+            return None
+        return ScoreSearch(SEARCHED_NATS * settings.hysteresis)
 
     @property
     def has_decoder(self) -> bool:

@@ -1,8 +1,8 @@
-"""The likeliest course of phonemes behind the answers of rules: a Viterbi search that looks a few frames ahead.
+"""The likeliest course of phonemes behind answers or scores: a Viterbi search that looks a few frames ahead.
 
-Rules err in known ways, so each answer is evidence for several phonemes, by a table of confusions. A change of
-phoneme costs something; with the statistics of a language, some changes cost less than others. All costs are whole
-parts of a nat, so every machine finds the same course.
+Rules err in known ways, so each answer is evidence for several phonemes, by a table of confusions; scores are
+evidence themselves. A change of phoneme costs something; with the statistics of a language, some changes cost less
+than others. All costs are whole parts of a nat, so every machine finds the same course.
 """
 
 import tomllib
@@ -21,9 +21,12 @@ from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
 from phonemeengine.recognition.recognition import Recognition, Trace
 from phonemeengine.recognition.rules import RuleRecogniser
+from phonemeengine.recognition.scores import LEAST_SHARE
 from phonemeengine.settings import FRAME_PERIOD, Decoding
 
 Int32Array = NDArray[np.int32]
+Answers = NDArray[Any]
+"""Codes of what rules say of each frame (uint8), or what `evidence_in` makes of scores (int32)."""
 Confusions = Mapping[Phoneme, tuple[float, ...]]
 """By phoneme that is spoken, how likely each answer is, in nats below certainty."""
 
@@ -95,6 +98,32 @@ class Decoder:
         costs: Int32Array = np.rint(PER_NAT * np.maximum(self.change_cost - less, 0)).astype(np.int32)
         return costs
 
+    def trellis(self, lag: int) -> "Trellis":
+        """Return the search that looks some frames ahead."""
+        return Trellis(self, lag)
+
+
+@dataclass(frozen=True)
+class ScoreSearch:
+    """What a search through scores goes by.
+
+    Attributes
+    ----------
+    change_cost : what a change of phoneme costs, 0..15 nats.
+    """
+
+    change_cost: float
+
+    def trellis(self, lag: int) -> "ScoreTrellis":
+        """Return the search that looks some frames ahead."""
+        return ScoreTrellis(self.change_cost, lag)
+
+
+def evidence_in(scores: Float32Array) -> Int32Array:
+    """Return what probabilities, shape (n_frames, n_phonemes), tell a `ScoreTrellis`."""
+    told: Int32Array = np.rint(PER_NAT * np.log(np.maximum(scores, LEAST_SHARE))).astype(np.int32)
+    return told << _PAST_BITS
+
 
 @cache
 def bigrams_of(language: Decoding) -> NDArray[np.float64]:
@@ -130,7 +159,15 @@ class Trellis:
         self._cost = int(costs[0, 0]) if (costs == costs[0, 0]).all() else None
         self.start: Int32Array = np.where(self._own == Phoneme.SILENCE, 0, -costs[:1].T).astype(np.int32)
 
-    def run(self, answers: UInt8Array, states: Int32Array) -> tuple[UInt8Array, Int32Array]:
+    def nothing(self, n_frames: int) -> Answers:
+        """Return what tells nothing of as many frames of one sound."""
+        return np.full(n_frames, NOTHING, np.uint8)
+
+    def _evidence_of(self, answer: NDArray[Any]) -> NDArray[Any]:
+        """Return what an answer of each sound says of each phoneme, shape (n_found, n_sounds)."""
+        return np.take(self._evidence, answer, axis=1, mode="clip")
+
+    def run(self, answers: Answers, states: Int32Array) -> tuple[UInt8Array, Int32Array]:
         """Go on with the next answers; return what was said `lag` frames before each, and the states after them.
 
         Parameters
@@ -138,9 +175,9 @@ class Trellis:
         answers : codes of `Phoneme`, or `NOTHING`, shape (n_frames, n_sounds).
         states : of each sound, shape (n_found, n_sounds).
         """
-        out = np.empty(answers.shape, np.uint8)
+        out = np.empty((len(answers), answers.shape[-1]), np.uint8)
         states = states.copy()
-        past, evidence = np.empty_like(states), np.empty_like(states)
+        past = np.empty_like(states)
         for said, answer in zip(out, answers, strict=True):
             np.bitwise_and(states, _PAST, out=past)
             states -= past
@@ -153,7 +190,7 @@ class Trellis:
             else:
                 entered = (states[:, np.newaxis] - self._costs).max(axis=0)
             np.maximum(states, entered, out=states)
-            states += np.take(self._evidence, answer, axis=1, out=evidence, mode="clip")
+            states += self._evidence_of(answer)
             best = states.max(axis=0)
             if self.lag:
                 said[:] = best >> 4 * (self.lag - 1) & 15
@@ -165,7 +202,7 @@ class Trellis:
 
     def run_in_lanes(
         self,
-        answers: UInt8Array,
+        answers: Answers,
         follows: BoolArray,
         todo: IndexArray,
         starts: Int32Array,
@@ -175,20 +212,40 @@ class Trellis:
 
         Parameters
         ----------
-        answers : of each part, shape (n_frames, n_parts).
+        answers : of each part, shape (n_frames, n_parts), or (n_frames, n_phonemes, n_parts) of a `ScoreTrellis`.
         follows : which parts go on with the sound of the one before, shape (n_parts,).
         todo : the parts to run; what is known of others holds.
         starts : the state with which each begins, at first a guess where it follows another, shape
             (n_found, n_parts).
-        found : what is said, as `answers`, and the states at the ends, as `starts`; both are written to.
+        found : what is said, shape (n_frames, n_parts), and the states at the ends, as `starts`; both are written to.
         """
         said, ends = found
         while len(todo):
-            said[:, todo], ends[:, todo] = self.run(answers[:, todo], starts[:, todo])
+            said[:, todo], ends[:, todo] = self.run(answers[..., todo], starts[:, todo])
             after = todo[todo < len(follows) - 1] + 1
             after = after[follows[after]]
             todo = after[(ends[:, after - 1] != starts[:, after]).any(axis=0)]
             starts[:, todo] = ends[:, todo - 1]
+
+
+class ScoreTrellis(Trellis):
+    """The search through scores: each frame brings evidence of its own, as `evidence_in` gives it.
+
+    Parameters
+    ----------
+    change_cost : what a change of phoneme costs, nats.
+    lag : frames that it looks ahead, 0..5.
+    """
+
+    def __init__(self, change_cost: float, lag: int) -> None:
+        super().__init__(Decoder(dict.fromkeys(Phoneme, (0.0,) * len(Phoneme)), change_cost), lag)
+
+    def nothing(self, n_frames: int) -> Int32Array:
+        """Return evidence that tells nothing of as many frames of one sound."""
+        return np.zeros((n_frames, len(Phoneme)), np.int32)
+
+    def _evidence_of(self, answer: NDArray[Any]) -> NDArray[Any]:
+        return answer
 
 
 class SoundDecoder:
@@ -204,23 +261,24 @@ class SoundDecoder:
         self._state = trellis.start
         self._early = trellis.lag
 
-    def decode(self, answers: UInt8Array) -> UInt8Array:
-        """Take the next answers, and return what is known by now: nothing about the newest frames."""
+    def decode(self, answers: Answers) -> UInt8Array:
+        """Take the next answers, or evidence, and return what is known by now: nothing about the newest frames."""
         n_lanes = len(answers) // _STEPS if len(answers) >= _MANY else 0
-        said = [self._decode_lanes(answers[: n_lanes * _STEPS].reshape(n_lanes, _STEPS).T)] if n_lanes else []
-        rest, self._state = self._trellis.run(answers[n_lanes * _STEPS :, np.newaxis], self._state)
+        laid = answers[: n_lanes * _STEPS].reshape(n_lanes, _STEPS, *answers.shape[1:])
+        said = [self._decode_lanes(np.moveaxis(laid, 0, -1))] if n_lanes else []
+        rest, self._state = self._trellis.run(answers[n_lanes * _STEPS :, ..., np.newaxis], self._state)
         known = np.concatenate([*said, rest[:, 0]])[self._early :]
         self._early = max(0, self._early - len(answers))
         return known
 
     def finish(self) -> UInt8Array:
         """Return what is said of the last frames, since no answers follow."""
-        return self.decode(np.full(self._trellis.lag, NOTHING, np.uint8))
+        return self.decode(self._trellis.nothing(self._trellis.lag))
 
-    def _decode_lanes(self, answers: UInt8Array) -> UInt8Array:
-        n = answers.shape[1]
+    def _decode_lanes(self, answers: Answers) -> UInt8Array:
+        n = answers.shape[-1]
         starts = np.repeat(self._state, n, axis=1)
-        said, ends = np.empty(answers.shape, np.uint8), np.empty_like(starts)
+        said, ends = np.empty((len(answers), n), np.uint8), np.empty_like(starts)
         self._trellis.run_in_lanes(answers, np.arange(n) > 0, np.arange(n), starts, (said, ends))
         self._state = ends[:, -1:]
         return said.T.reshape(-1)
@@ -237,22 +295,24 @@ class SoundsDecoder:
     def __init__(self, edges: IndexArray) -> None:
         self._edges = edges
         self._key: object = None
-        self._laid: UInt8Array
+        self._laid: Answers | None
         self._found: tuple[UInt8Array, Int32Array]
 
-    def decode(self, decoder: Decoder, lag: int, answers: UInt8Array) -> UInt8Array:
+    def decode(self, decoder: Decoder | ScoreSearch, lag: int, answers: Answers) -> UInt8Array:
         """Return what a search says of each frame, shape (n_frames,).
 
         Parameters
         ----------
-        decoder, lag : as of `Trellis`.
-        answers : codes of `Phoneme`, shape (n_frames,).
+        decoder : what it goes by.
+        lag : as of `Trellis`.
+        answers : codes of `Phoneme`, shape (n_frames,), or what `evidence_in` tells, shape (n_frames, n_phonemes).
         """
         if self._key != (decoder, lag):
-            self._begin(Trellis(decoder, lag))
+            self._begin(decoder.trellis(lag))
             self._key = decoder, lag
-        laid = np.append(answers, np.uint8(NOTHING))[self._places]
-        todo = np.flatnonzero((laid != self._laid).any(axis=0))
+        laid = np.moveaxis(np.concatenate((answers, self._trellis.nothing(1)))[self._places], 1, -1)
+        new = np.True_ if self._laid is None else laid != self._laid
+        todo = np.flatnonzero(np.broadcast_to(new, laid.shape).any(axis=tuple(range(laid.ndim - 1))))
         self._laid = laid
         self._trellis.run_in_lanes(laid, self._follows, todo, self._starts, self._found)
         said: UInt8Array = self._found[0].T.reshape(-1)[self._said_at]
@@ -273,7 +333,7 @@ class SoundsDecoder:
         self._places = places.reshape(total, steps).T
         self._follows = np.ones(total, bool)
         self._follows[first_parts[lengths > 0]] = False
-        self._laid = np.full((steps, total), NOTHING + 1, np.uint8)
+        self._laid = None
         self._starts = np.repeat(trellis.start, total, axis=1)
         self._found = np.empty((steps, total), np.uint8), np.empty_like(self._starts)
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from phonemeengine.encoder.graph import live_graph, whole_graph
+from phonemeengine.encoder.graph import SLOTS, live_graph, whole_graph
 from phonemeengine.encoder.live import (
     LARGEST_FILE,
     MANY,
@@ -81,6 +81,18 @@ def test_a_sound_is_recognised_alike_wherever_in_a_stream_it_comes():
         silence = np.full((400 + 2 * more, 80), -10, np.float32)
         later = answers(EXACT, np.concatenate((silence, frames)), 1, [])
         np.testing.assert_allclose(later[2 * more + 400 :], plain[400:], atol=2e-5)
+
+
+@pytest.mark.parametrize("ahead", [0, 1])
+def test_a_microphone_that_was_open_for_days_is_answered_as_in_its_first_minute(ahead):
+    model, frames = open_live_encoder(EXACT), np.concatenate((np.full((400, 80), -10, np.float32), log_mels(120)))
+    plain = answers(EXACT, frames, ahead, [400])
+    for days in (1, 100):
+        stream = EncoderStream(model, ahead)
+        before = model.encode([stream], [frames[:400]])[0]
+        stream.count += days * 24 * 3600 * 50 // SLOTS * SLOTS  # a state each 20 ms; its rings go round as before
+        found = model.head.logits(np.concatenate((before, model.encode([stream], [frames[400:]])[0])))
+        np.testing.assert_allclose(found, plain, atol=2e-5)
 
 
 @pytest.mark.parametrize("lengths", [(160, 175, 190, 205), (MANY + 1) * (120,)])

@@ -20,10 +20,11 @@ from phonemeengine.features.variables import BUILT_IN_NAMES, PITCH_SET_COLUMNS
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.model_choice import for_files
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.decoder import SoundsDecoder, lag_of
+from phonemeengine.recognition.decoder import SoundsDecoder, evidence_in, lag_of
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import PitchSetRules, Rule, RuleRecogniser
 from phonemeengine.recognition.scores import Sensitivity, scores_in
+from phonemeengine.recognition.searched import SEARCH_LAG
 from phonemeengine.recognition.spec import Tuning, spec_of
 from phonemeengine.settings import FRAME_PERIOD, AnalysisSettings, ModelKind
 
@@ -299,6 +300,8 @@ class Retuner:
         if settings.statistics:
             if preset.decoder:
                 codes = self._decoder.decode(preset.decoder, lag_of(settings.look_ahead), codes)
+            elif preset.search is not None and scores is not None:
+                codes = self._decoder.decode(preset.search, SEARCH_LAG, evidence_in(scores.T))
             elif settings.hysteresis > 0:
                 stays = self._may_stay(rules, scores, settings.hysteresis)
                 codes = codes if stays is None else self._smoother.hysteresis(codes, stays)
