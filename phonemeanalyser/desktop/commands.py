@@ -14,6 +14,7 @@ from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.analyse.score.score_strip import ScoreStrip
 from phonemeanalyser.desktop.analyse.transport.transport import SPEEDS, next_speed
 from phonemeanalyser.desktop.dialogs import Dialogs
+from phonemeanalyser.desktop.docks import Docks
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import LANGUAGES, SYSTEM, tr, tr_noop
 from phonemeanalyser.desktop.menus import Command, Menus
@@ -97,6 +98,9 @@ def selection_commands(selection: Selection, dialogs: SelectionDialogs, average:
     """Return what is done with the selected part of a file."""
     return (
         Command(tr_noop("Select All"), "Ctrl+A", selection.select_all),
+        Command(tr_noop("Start Selection at Cursor"), "[", partial(selection.set_edge, end=False)),
+        Command(tr_noop("End Selection at Cursor"), "]", partial(selection.set_edge, end=True)),
+        None,
         Command(tr_noop("Zoom to Entire File"), "Shift+A", selection.show_all),
         Command(tr_noop("Zoom to Selection"), "Shift+Z", selection.zoom),
         None,
@@ -342,13 +346,18 @@ def help_commands(*acts: Callable[[], object]) -> Commands:
     )
 
 
-def view_commands(show_page: Callable[[int], None], analysis: AnalysisPage) -> Commands:
+def view_commands(show_page: Callable[[int], None], analysis: AnalysisPage, docks: Docks) -> Commands:
     """Return what chooses what is seen, and how."""
     return (
         *(Command(name, f"Ctrl+{k + 1}", partial(show_page, k)) for k, name in enumerate(PAGES)),
         None,
         Command(tr_noop("Coarse Display"), "Shift+C", analysis.set_coarse, checkable=True),
         Command(tr_noop("Spectra in dB"), "D", analysis.set_decibels, checkable=True),
+        None,
+        Command(tr_noop("Next Panel"), "F6", lambda: docks.focus_next(1, analysis.main_view), repeats=True),
+        Command(
+            tr_noop("Previous Panel"), "Shift+F6", lambda: docks.focus_next(-1, analysis.main_view), repeats=True
+        ),
     )
 
 

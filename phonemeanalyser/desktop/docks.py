@@ -67,6 +67,17 @@ class Docks(QObject):
         if not dock.isHidden():
             dock.raise_()
 
+    def focus_next(self, step: int, main_view: QWidget) -> None:
+        """Give the focus to the next dock that is seen (1), or the one before (-1), or to what they lie beside."""
+        in_front = [dock for dock in self._docks.values() if not dock.visibleRegion().isEmpty()]
+        seen = sorted(in_front, key=lambda dock: (dock.x(), dock.y()))
+        now = self._window.focusWidget()
+        here = next((k for k, dock in enumerate(seen, 1) if now is not None and dock.isAncestorOf(now)), 0)
+        at = (here + step) % (len(seen) + 1)
+        controls = seen[at - 1].widget().findChildren(QWidget) if at else []
+        first = (w for w in controls if w.isVisible() and w.isEnabled() and w.focusPolicy() & Qt.FocusPolicy.TabFocus)
+        next(first, main_view).setFocus(Qt.FocusReason.TabFocusReason)
+
     def laid_out_for(self, width: float, *, stacked: bool) -> None:
         """Take docks as they are as the layout for a window of this many pixels."""
         self._fitted_for, self.stacked = width, stacked

@@ -28,6 +28,7 @@ def style_sheet(theme: Theme) -> str:
         f"QCheckBox::indicator:unchecked, QGroupBox::indicator:unchecked, QAbstractItemView::indicator:unchecked"
         f" {{ border: 1px solid {theme.faint}; border-radius: 2px; background: {theme.field};"
         f" width: {BOX}px; height: {BOX}px }}"
+        f"QAbstractItemView:focus {{ border: 1px solid {theme.accent} }}"  # which no line shows where there is none
         "QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0 }"  # which are black, on dark buttons, too
         f"QSlider::groove:horizontal {{ height: 4px; border-radius: 2px; background: {theme.line} }}"
         f"QSlider::sub-page:horizontal {{ border-radius: 2px; background: {theme.accent} }}"

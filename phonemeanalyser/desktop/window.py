@@ -51,7 +51,7 @@ USUAL_SIZE, DECORATIONS = QSize(1280, 800), QSize(8, 40)
 NARROW = 1272
 """A window that is narrower than this has its filters behind the thresholds, unless the user moves them."""
 ANALYSE, CALIBRATE, TALK = range(3)
-KEYS_OF_DOCKS = {tr_noop("Head"): "F7", tr_noop("Spectra"): "F8"}
+KEYS_OF_DOCKS = {tr_noop("Head"): "F7", tr_noop("Spectra"): "F8", tr_noop("Rules"): "F9"}
 
 
 class MainWindow(QMainWindow):
@@ -120,6 +120,7 @@ class MainWindow(QMainWindow):
         self.banner = Banner(theme, self, self.pages, self.analysis.waveform)
         self.welcome = WelcomeCards(theme, self, self.pages)
         self._focus = FocusReturn(self, lambda: self._focused_on(self.pages.currentIndex()))
+        self.preset_box.list.chosen.connect(self._focus.leave_field)
         self.what_is_this = WhatIsThis(self)
         self.pages.addWidget(self.analysis)
         self._late_calibration = LazyPage(self.pages, self._make_calibration_page)
@@ -241,7 +242,7 @@ class MainWindow(QMainWindow):
     def _make_view_menu(self) -> None:
         full = Command(tr_noop("Full Screen"), "F11", self.show_full, checkable=True)
         layout = Command(tr_noop("Reset Layout"), "", self.reset_layout)
-        views = commands.view_commands(self.show_page, self.analysis)
+        views = commands.view_commands(self.show_page, self.analysis, self._docks)
         score, docks = self.analysis.score.shown, self._docks.switches(KEYS_OF_DOCKS)
         view = self.menus.add(tr("&View"), *views, None, full, layout, score, None, *docks)
         commands.add_looks(self.menus, view, self._settings, self.theme_asked.emit, self.language_asked.emit)

@@ -279,6 +279,21 @@ def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     assert not new.analysis.spectrum.coarse.isChecked()
 
 
+def test_f6_goes_from_the_file_to_each_dock_in_front_and_back(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    window.analysis.main_view.setFocus()
+    docks = [dock for dock in window.findChildren(QDockWidget) if not dock.visibleRegion().isEmpty()]
+    found = []
+    for _ in docks:
+        press(window, Qt.Key.Key_F6)
+        found += [dock for dock in docks if dock.isAncestorOf(window.focusWidget())]
+    assert sorted(map(id, found)) == sorted(map(id, docks))
+    press(window, Qt.Key.Key_F6)
+    assert window.focusWidget() is window.analysis.main_view
+    press(window, Qt.Key.Key_F6, Qt.KeyboardModifier.ShiftModifier)
+    assert found[-1].isAncestorOf(window.focusWidget())
+
+
 def test_a_closed_dock_comes_back_from_the_menu(desktop, qtbot):
     window = shown(desktop, qtbot, None)
     for name in ("Filters", "Phoneme", "Thresholds"):

@@ -1,5 +1,6 @@
 """The menu of the selection, from the window."""
 
+import pytest
 import soundfile
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
@@ -14,6 +15,14 @@ def opened(desktop, qtbot):
     qtbot.waitUntil(lambda: not desktop.session.whole.busy)
     desktop.session.view.select(TimeSpan(0.5, 1.0))
     return window
+
+
+def test_brackets_select_from_the_cursor_and_to_it(desktop, qtbot):
+    window = opened(desktop, qtbot)
+    for seconds, key, selected in ((0.2, "[", (0.2, 1.0)), (0.7, "]", (0.2, 0.7)), (0.1, "]", (0.0, 0.1))):
+        desktop.session.seek(seconds)
+        qtbot.keyClicks(window, key)
+        assert desktop.session.view.selection == pytest.approx(selected, abs=1e-3)
 
 
 def test_a_measurement_is_shown_and_copied(desktop, qtbot):

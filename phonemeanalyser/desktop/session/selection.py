@@ -13,7 +13,9 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.execution import Progress
 from phonemeengine.inspection.measurement import StretchMeasurement, format_frames, measure_stretch, save_stretch
 
-NOTHING_SELECTED = tr_noop("Nothing is selected. Shift+drag over the file to select a segment, then try again.")
+NOTHING_SELECTED = tr_noop(
+    "Nothing is selected. Shift+drag over the file, or press [ and ] at the cursor, then try again."
+)
 
 
 class Selection(QObject):
@@ -52,6 +54,15 @@ class Selection(QObject):
     def select_all(self) -> None:
         """Select the whole file."""
         self._session.view.select(TimeSpan(0.0, self._session.view.duration))
+
+    def set_edge(self, *, end: bool) -> None:
+        """Have it begin or end at the cursor; its other end stays, or is that of the file where that can't be."""
+        view, here = self._session.view, self._session.source.position
+        start, stop = view.selection or (0.0, view.duration)
+        if end:
+            view.select(TimeSpan(start if start < here else 0.0, here))
+        else:
+            view.select(TimeSpan(here, stop if stop > here else view.duration))
 
     def show_all(self) -> None:
         """See the whole file."""

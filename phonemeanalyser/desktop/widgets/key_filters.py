@@ -123,6 +123,11 @@ class FocusReturn(QObject):
         """Look no more: the window closes, and its widgets lose the focus as they are destroyed."""
         self._application.focusChanged.disconnect(self._follow)
 
+    def leave_field(self, *_chosen: object) -> None:
+        """Leave a field that one types into: after a choice elsewhere, letters are keys again."""
+        if is_typed_into(self._window.focusWidget()):
+            self._main_view().setFocus()
+
     def eventFilter(self, watched: QObject, event: Any) -> bool:
         """Note which key was pressed in a list of choices, and see Return, which fields of numbers pass on."""
         if watched is self._window:

@@ -176,8 +176,12 @@ class PresetList(QFrame):
         self._groups.append((above, lines))
 
     def _filter(self, text: str) -> None:
-        """Show the lines with all of the words, and mark the first one; without words, the one in use."""
-        words = text.casefold().split()
+        """Show the lines with all of the words, and mark the first one; without words, the one in use.
+
+        A name that begins with what is typed goes before others that contain it.
+        """
+        typed = text.casefold().strip()
+        words = typed.split()
         for heading, lines in self._groups:
             for line in lines:
                 said = f"{line.text(1)} {line.text(2)}".casefold()
@@ -186,7 +190,7 @@ class PresetList(QFrame):
                 heading.setHidden(all(line.isHidden() for line in lines))
         found = self.lines()
         in_use = [] if words else [line for line in found if line.text(0)]
-        self._mark((in_use or found)[0])
+        self._mark((in_use or sorted(found, key=lambda line: not line.text(1).casefold().startswith(typed)))[0])
 
     def _mark(self, line: QTreeWidgetItem) -> None:
         self.entries.setCurrentItem(line)

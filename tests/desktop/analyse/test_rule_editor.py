@@ -64,7 +64,7 @@ def enter(editor: RuleEditor, at: QTreeWidgetItem, column: int, value: object) -
     press(editor.tree, Qt.Key.Key_F2)
     if column == LIMIT:
         field = editor.tree.viewport().findChildren(QLineEdit)[-1]
-        field.setText(str(value))
+        QTest.keyClicks(field, str(value))  # over what is there
         press(field, Qt.Key.Key_Return)
         QApplication.processEvents()  # Qt commits what was typed a moment later
         return
@@ -97,8 +97,18 @@ def test_what_a_cell_holds_is_edited_in_place_and_undone(desktop, editor):
 
 
 def test_what_is_no_number_changes_nothing(desktop, editor):
+    told: list[str] = []
+    desktop.session.rules.error.connect(told.append)
     enter(editor, item(editor, 0, 0), LIMIT, "much")
     assert desktop.preset.preset.rules == OWN
+    assert told == ["Limit is a number, such as 0.25; found much"]
+
+
+def test_left_and_right_go_from_cell_to_cell(editor):
+    editor.tree.choose(0, 0)
+    for key, column in ((Qt.Key.Key_Right, SIGN), (Qt.Key.Key_Right, LIMIT), (Qt.Key.Key_Left, SIGN)):
+        press(editor.tree, key)
+        assert (editor.tree.current_condition, editor.tree.currentColumn()) == (0, column)
 
 
 def test_rules_move_by_keys_and_are_duplicated_and_deleted(desktop, editor):

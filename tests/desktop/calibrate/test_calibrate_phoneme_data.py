@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from phonemeanalyser.desktop.calibrate.workbench.phoneme_data_panel import FIRST, OTHER, VALUE, PhonemeDataPanel
 from phonemeanalyser.desktop.session.preset import PresetDocument
@@ -94,6 +95,13 @@ def test_a_number_is_typed_and_what_is_none_is_refused(loaded: Calibrator) -> No
     table.item(line_of(loaded, "time_smooth"), VALUE).setText("7")
     assert number(loaded, "time_smooth") == 0
     assert [sentence.split()[0] for sentence in said] == ["sz_s1", "time_smooth"]
+    table.setFocus()
+    table.setCurrentCell(line_of(loaded, "sz_s1") + 1, VALUE)  # the lower of its two lines
+    press(table, Qt.Key.Key_Return)
+    QTest.keyClicks(QApplication.focusWidget(), "9.5")
+    press(QApplication.focusWidget(), Qt.Key.Key_Return)
+    QApplication.processEvents()  # Qt commits what was typed a moment later
+    assert number(loaded, "sz_s1") == 9.5
 
 
 def test_one_number_is_fitted_and_all_are_each_in_one_step_of_undo(loaded: Calibrator) -> None:

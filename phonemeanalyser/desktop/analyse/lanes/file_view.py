@@ -79,9 +79,9 @@ class FileView(QWidget):
         self.setAccessibleName(tr("File over time"))
         self.setToolTip(
             tr(
-                "Wheel: zoom at the pointer. Drag: scroll. Click: go to that time. Shift+drag: select. Home, End: "
-                "go to the start or end. Labels: type to rename, Enter splits at the cursor, drag a boundary (Ctrl: "
-                "without snapping)."
+                "Wheel: zoom at the pointer. Drag: scroll. Click: go to that time. Shift+drag, or [ and ] at the "
+                "cursor: select. Home, End: go to the start or end. Labels: type to rename, Enter splits at the "
+                "cursor, drag a boundary (Ctrl: without snapping)."
             )
         )
         self.setMouseTracking(True)

@@ -1,7 +1,7 @@
 """Rules as a tree: each rule with its conditions below it, edited in place, dragged and moved by keys."""
 
+import math
 from collections.abc import Sequence
-from contextlib import suppress
 from typing import Any
 
 from PySide6.QtCore import QAbstractItemModel, QEvent, QModelIndex, QPersistentModelIndex, Qt
@@ -67,11 +67,11 @@ class _Delegate(QStyledItemDelegate):
     def setEditorData(self, editor: QWidget, index: Index) -> None:
         if isinstance(editor, QLineEdit):
             editor.setText(f"{index.data(VALUE):g}")
+            editor.selectAll()
 
     def setModelData(self, editor: QWidget, _model: QAbstractItemModel, index: Index) -> None:
         if isinstance(editor, QLineEdit):
-            with suppress(ValueError):
-                self._tree.take_value(index, float(editor.text().replace(",", ".")))
+            self._tree.type_limit(index, editor.text())
 
 
 class RuleTree(QTreeWidget):
@@ -250,7 +250,7 @@ class RuleTree(QTreeWidget):
             action.triggered.connect(lambda _on, value=value: self.take_value(index, value))
             if value == item.data(column, VALUE):
                 menu.setActiveAction(action)
-        menu.popup(self.viewport().mapToGlobal(self.visualItemRect(item).bottomLeft()))
+        menu.popup(self.viewport().mapToGlobal(self.visualRect(index).bottomLeft()))
 
     def take_value(self, index: Index, value: Any) -> None:
         """Take what was entered in a cell."""
@@ -262,8 +262,20 @@ class RuleTree(QTreeWidget):
             self._rules.set_rule(k, phoneme=Phoneme(value))
         elif index.column() != LIMIT:
             self._rules.set_condition(k, j, **{"variable" if index.column() == NAME else "sign": str(value)})
-        elif abs(value) <= LARGEST_FLOAT32:
+        else:
             self._rules.set_condition(k, j, limit=float(value))
+
+    def type_limit(self, index: Index, text: str) -> None:
+        """Take a limit as it was typed; what is no number is refused in a sentence."""
+        try:
+            limit = float(text.replace(",", "."))
+        except ValueError:
+            limit = math.nan
+        if abs(limit) <= LARGEST_FLOAT32:
+            self.take_value(index, limit)
+        else:
+            words = tr("{name} is a number, such as 0.25; found {text}")
+            self._rules.error.emit(words.format(name=tr("Limit"), text=text[:40]))
 
     def add_rule(self) -> None:
         """Add a rule in front of the one that is chosen, for the same phoneme."""
@@ -344,6 +356,8 @@ class RuleTree(QTreeWidget):
             self.duplicate()
         elif key in {Qt.Key.Key_Delete, Qt.Key.Key_Backspace} and self._rules.can_edit:
             self.delete()
+        elif key == Qt.Key.Key_Left and item is not None and self.currentColumn() > NAME:
+            self.setCurrentItem(item, self.currentColumn() - 1)
         elif key in {Qt.Key.Key_F2, Qt.Key.Key_Return, Qt.Key.Key_Enter} and item is not None:
             column = self.currentColumn() if item.parent() is not None and self.currentColumn() != NOW else NAME
             self._edit(item, LIMIT if item.parent() is not None and not self._rules.can_edit else column)
@@ -391,6 +405,7 @@ class RuleTree(QTreeWidget):
                 header.resizeSection(column, width)
         self.setIndentation(14)
         self.setUniformRowHeights(True)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectItems)  # Right goes on to the next cell
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

@@ -109,8 +109,11 @@ class ScoreStrip(QWidget):
             ),
         )
         row(*ways, on=self.ways, spacing=6)
-        for confusion in (*ways, *self.confusions):
-            tab_buttons(confusion)
+        tab_buttons(*ways, *self.confusions)
+        for confusion in self.confusions:  # so that what lies above does not move when labels come or go
+            keeps_its_room = confusion.sizePolicy()
+            keeps_its_room.setRetainSizeWhenHidden(True)
+            confusion.setSizePolicy(keeps_its_room)
         figures = grid(self.figures, across=6, down=0)
         self._fill(figures)
         self.figures.setMinimumWidth(LEAST_WIDTH)

@@ -5,12 +5,13 @@ from itertools import groupby
 from typing import Any
 
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent
+from PySide6.QtGui import QColor, QKeyEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem
 
 from phonemeanalyser.desktop.calibrate.takes.takes_model import TakesModel
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.painting import CENTRED, draw_text
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.builders import style_list
 from phonemeanalyser.desktop.widgets.key_filters import give_letters_to_page
@@ -82,6 +83,14 @@ class TakeListView(QTableWidget):
         for row in range(self.rowCount()):
             if self._number_at(row) == number:
                 self.setCurrentCell(row, 0)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Say where there is no take yet."""
+        super().paintEvent(event)
+        if not self.rowCount():
+            painter = QPainter(self.viewport())
+            draw_text(painter, self.viewport().rect(), tr("No takes yet"), self._theme.faint, 12, CENTRED)
+            painter.end()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Play, exclude or delete what is chosen, once however long the key is held; letters are the page's."""

@@ -97,7 +97,7 @@ class PhonemeDataPanel(QWidget):
                 "<p>Each number with its variable and comparison. Below each other: the sounds for which the "
                 "comparison should hold, and those for which it should fail, with the smallest, mean and largest "
                 "value of the variable for each speaker.</p><p>Click a value, or press Return on it, to use it as "
-                "the number; double-click a number to type.</p>"
+                "the number; double-click a number, or press Return on it, to type.</p>"
             ),
         )
         self._lay_out()
@@ -220,13 +220,17 @@ class PhonemeDataPanel(QWidget):
     # -- what the user does -------------------------------------------------------------------------------
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Take the selected value by Return."""
+        """Take the selected value by Return, or begin to type the number that is selected."""
         is_return = isinstance(event, QKeyEvent) and event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter}
         line, column = self.table.currentRow(), self.table.currentColumn()
-        if is_return and event.type() == QEvent.Type.KeyPress and line >= 0 and column >= FIRST:
+        if not is_return or event.type() != QEvent.Type.KeyPress or line < 0 or not self.table.hasFocus():
+            return super().eventFilter(watched, event)  # without the focus, a number that is typed ends by Return
+        if column >= FIRST:
             self._take(line, column)
-            return True
-        return super().eventFilter(watched, event)
+        elif column == VALUE:
+            number = self.table.item(line, VALUE) or self.table.item(line - 1, VALUE)  # of the two lines of a number
+            self.table.editItem(number)
+        return True
 
     def _take(self, line: int, column: int) -> None:
         """Make a value of the table the number of its row."""
