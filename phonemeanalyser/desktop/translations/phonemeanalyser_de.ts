@@ -160,8 +160,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
-            <source>&lt;b&gt;No clear difference&lt;/b&gt;: macro F1 {gain} % higher for {letter} ({low} to {high} %).</source>
-            <translation>&lt;b&gt;Kein klarer Unterschied&lt;/b&gt;: Makro-F1 von {letter} um {gain} % höher ({low} bis {high} %).</translation>
+            <source>&lt;b&gt;No clear difference&lt;/b&gt;: macro F1 {gain} points higher for {letter} ({low} to {high}).</source>
+            <translation>&lt;b&gt;Kein klarer Unterschied&lt;/b&gt;: Makro-F1 von {letter} um {gain} Punkte höher ({low} bis {high}).</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
@@ -195,8 +195,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
-            <source>&lt;b&gt;{letter} is better&lt;/b&gt;: macro F1 {gain} % higher (95 % interval {low} to {high} %).</source>
-            <translation>&lt;b&gt;{letter} ist besser&lt;/b&gt;: Makro-F1 um {gain} % höher (95-%-Intervall {low} bis {high} %).</translation>
+            <source>&lt;b&gt;{letter} is better&lt;/b&gt;: macro F1 {gain} points higher (95 % interval {low} to {high}).</source>
+            <translation>&lt;b&gt;{letter} ist besser&lt;/b&gt;: Makro-F1 um {gain} Punkte höher (95-%-Intervall {low} bis {high}).</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
@@ -215,8 +215,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
-            <source>&lt;p&gt;Each number with its variable and comparison. Below each other: the sounds for which the comparison should hold, and those for which it should fail, with the smallest, mean and largest value of the variable for each speaker.&lt;/p&gt;&lt;p&gt;Click a value, or press Return on it, to use it as the number; double-click a number to type.&lt;/p&gt;</source>
-            <translation>&lt;p&gt;Jede Zahl mit ihrer Variablen und ihrem Vergleich. Untereinander: die Laute, für die der Vergleich zutreffen soll, und die, für die er nicht zutreffen soll, mit kleinstem, mittlerem und größtem Wert der Variablen für jeden Sprecher.&lt;/p&gt;&lt;p&gt;Ein Klick auf einen Wert oder die Eingabetaste übernimmt ihn als Zahl; ein Doppelklick auf eine Zahl lässt sie eingeben.&lt;/p&gt;</translation>
+            <source>&lt;p&gt;Each number with its variable and comparison. Below each other: the sounds for which the comparison should hold, and those for which it should fail, with the smallest, mean and largest value of the variable for each speaker.&lt;/p&gt;&lt;p&gt;Click a value, or press Return on it, to use it as the number; double-click a number, or press Return on it, to type.&lt;/p&gt;</source>
+            <translation>&lt;p&gt;Jede Zahl mit ihrer Variablen und ihrem Vergleich. Untereinander: die Laute, für die der Vergleich zutreffen soll, und die, für die er nicht zutreffen soll, mit kleinstem, mittlerem und größtem Wert der Variablen für jeden Sprecher.&lt;/p&gt;&lt;p&gt;Ein Klick auf einen Wert oder die Eingabetaste übernimmt ihn als Zahl; ein Doppelklick auf eine Zahl oder die Eingabetaste lässt sie eingeben.&lt;/p&gt;</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
@@ -2988,6 +2988,11 @@
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>End Label at Cursor</source>
             <translation>Beschriftung am Cursor beenden</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>End Selection at Cursor</source>
+            <translation>Auswahl am Cursor beenden</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
@@ -6116,6 +6121,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Next Panel</source>
+            <translation>Nächster Bereich</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Next Picture (Right)</source>
             <translation>Nächstes Bild (Rechts)</translation>
         </message>
@@ -6375,6 +6385,11 @@
             <translation>Keine Takes oder Aufnahmen geladen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_list.py" />
+            <source>No takes yet</source>
+            <translation>Noch keine Takes</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
             <source>no text or TextGrid beside the file</source>
             <translation>kein Text oder TextGrid neben der Datei</translation>
@@ -6545,14 +6560,14 @@
             <translation>Auf {host}:{port} lässt sich nichts empfangen ({error}); anderen Port wählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/selection.py" />
-            <source>Nothing is selected. Shift+drag over the file to select a segment, then try again.</source>
-            <translation>Nichts ist ausgewählt. Mit Umschalt+Ziehen einen Abschnitt der Datei auswählen und noch einmal versuchen.</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>Nothing is selected. Shift+drag over the file to select a segment.</source>
             <translation>Nichts ist ausgewählt. Mit Umschalt über die Datei ziehen, um einen Abschnitt auszuwählen.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/session/selection.py" />
+            <source>Nothing is selected. Shift+drag over the file, or press [ and ] at the cursor, then try again.</source>
+            <translation>Nichts ist ausgewählt. Mit Umschalt+Ziehen oder mit [ und ] am Cursor einen Abschnitt der Datei auswählen und noch einmal versuchen.</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/labels/textgrid.py" />
@@ -7448,6 +7463,11 @@
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Previous Label</source>
             <translation>Vorherige Beschriftung</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Previous Panel</source>
+            <translation>Vorheriger Bereich</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -9258,6 +9278,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Start recording after a two-second countdown (Return)</source>
             <translation>Aufnahme nach zwei Sekunden Countdown starten (Eingabetaste)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Start Selection at Cursor</source>
+            <translation>Auswahl am Cursor beginnen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
@@ -11561,8 +11586,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
-            <source>Wheel: zoom at the pointer. Drag: scroll. Click: go to that time. Shift+drag: select. Home, End: go to the start or end. Labels: type to rename, Enter splits at the cursor, drag a boundary (Ctrl: without snapping).</source>
-            <translation>Mausrad: am Zeiger zoomen. Ziehen: verschieben. Klick: dorthin gehen. Umschalt+Ziehen: auswählen. Pos1, Ende: zum Anfang oder Ende. Beschriftungen: tippen benennt um, die Eingabetaste teilt am Cursor, Ziehen verschiebt eine Grenze (Strg: ohne Einrasten).</translation>
+            <source>Wheel: zoom at the pointer. Drag: scroll. Click: go to that time. Shift+drag, or [ and ] at the cursor: select. Home, End: go to the start or end. Labels: type to rename, Enter splits at the cursor, drag a boundary (Ctrl: without snapping).</source>
+            <translation>Mausrad: am Zeiger zoomen. Ziehen: verschieben. Klick: dorthin gehen. Umschalt+Ziehen oder [ und ] am Cursor: auswählen. Pos1, Ende: zum Anfang oder Ende. Beschriftungen: tippen benennt um, die Eingabetaste teilt am Cursor, Ziehen verschiebt eine Grenze (Strg: ohne Einrasten).</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_bar.py" />
@@ -12375,7 +12400,7 @@
             <translation>{name} enthält die {known} Blendshapes {movestates} ... {movestates_2}, die Tabelle {name_2} hat andere; andere Tabelle wählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_tree.py" />
             <source>{name} is a number, such as 0.25; found {text}</source>
             <translation>{name} ist eine Zahl, etwa 0.25; gefunden: {text}</translation>
         </message>

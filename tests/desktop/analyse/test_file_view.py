@@ -231,3 +231,17 @@ def test_a_point_of_a_tier_has_its_name_from_there_to_the_next_and_cannot_be_dra
     assert layout.label_lanes()[1][1] is spans
     desktop.session.labels.choose(ChosenLabel(1, 0))
     assert layout.label_lanes()[1][1].colours.tolist() != spans.colours.tolist()
+
+
+def test_the_fields_of_the_sonagram_are_reached_by_keys_and_the_wheel_changes_none(desktop, panel):
+    choices = desktop.window.analysis.sonagram
+    menu = choices.axis.window()
+    menu.popup(QPoint())
+    keys = Qt.Key.Key_Down, Qt.Key.Key_Tab, Qt.Key.Key_Tab, Qt.Key.Key_Tab, Qt.Key.Key_Backtab
+    for key, field in zip(
+        keys, (choices.axis, choices.top, choices.window_length, choices.low, choices.window_length), strict=True
+    ):
+        QTest.keyClick(menu.focusWidget() or menu, key)
+        assert menu.focusWidget() is field
+    assert not turn_wheel(choices.top, -1)
+    menu.close()

@@ -2,14 +2,14 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFormLayout, QMenu, QToolButton, QWidget, QWidgetAction
 
 from phonemeanalyser.desktop.analyse.lanes.sonagram import add_colour_maps
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.widgets.builders import choice, label, named, open_at_once, row, tool_button
+from phonemeanalyser.desktop.widgets.builders import choice, label, leave_wheel, named, open_at_once, row, tool_button
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeengine.dsp.sonagram import NARROW_BAND, WIDE_BAND, FrequencyAxis
 from phonemeengine.settings import SAMPLE_RATE
@@ -28,6 +28,24 @@ TOPS = (4000.0, 5500.0, 8000.0, 11_000.0, SAMPLE_RATE / 2)
 """Highest frequencies that are offered, Hz."""
 LOWEST = -120
 """dBFS, of a level that can be chosen."""
+
+
+class _Fields(QWidget):
+    """Fields in a menu: Down and Tab lead from it to the first of them, and Tab goes from one to the next."""
+
+    def __init__(self, *fields: QWidget) -> None:
+        super().__init__()
+        self._fields = fields
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # else the menu leaves it out
+        self.setFocusProxy(fields[0])
+
+    def focusNextPrevChild(self, forwards: bool) -> bool:
+        """Give the focus to the next field or the one before; a menu would give it to its lines."""
+        now = self.window().focusWidget()
+        at = next((k for k, field in enumerate(self._fields) if field is now), 0)
+        field = self._fields[(at + (1 if forwards else -1)) % len(self._fields)]
+        field.setFocus(Qt.FocusReason.TabFocusReason)
+        return True
 
 
 class SonagramChoices(QObject):
@@ -102,11 +120,14 @@ class SonagramChoices(QObject):
         self.window_length.setCurrentIndex(WINDOWS.index(sonagram.settings.window))
         for field, level in zip((self.low, self.high), sonagram.level_range, strict=True):
             field.setValue(level)
-        form = QFormLayout(looks := QWidget())
+        form = QFormLayout(
+            looks := _Fields(self.axis, self.top, self.window_length, self.low, self.high, self.colours)
+        )
         for box in (self.axis, self.top, self.window_length):
             form.addRow(box.accessibleName(), box)
         form.addRow(tr("Colours from"), row(self.low, label(tr("to")), self.high, spacing=6))
         form.addRow(self.colours.accessibleName(), self.colours)
+        leave_wheel(looks)
         action = QWidgetAction(self)
         action.setDefaultWidget(looks)
         self._looks.addAction(action)

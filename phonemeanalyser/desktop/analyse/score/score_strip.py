@@ -110,10 +110,6 @@ class ScoreStrip(QWidget):
         )
         row(*ways, on=self.ways, spacing=6)
         tab_buttons(*ways, *self.confusions)
-        for confusion in self.confusions:  # so that what lies above does not move when labels come or go
-            keeps_its_room = confusion.sizePolicy()
-            keeps_its_room.setRetainSizeWhenHidden(True)
-            confusion.setSizePolicy(keeps_its_room)
         figures = grid(self.figures, across=6, down=0)
         self._fill(figures)
         self.figures.setMinimumWidth(LEAST_WIDTH)
@@ -252,6 +248,9 @@ class ScoreStrip(QWidget):
     def _show_confusions(self, agreement: Agreement | None) -> None:
         self._worst = [] if agreement is None else agreement.worst_confusions(N_CONFUSIONS)
         for k, button in enumerate(self.confusions):
+            room = button.sizePolicy()
+            room.setRetainSizeWhenHidden(self._score.file is not None)  # its lanes stay when labels come or go
+            button.setSizePolicy(room)
             button.setVisible(k < len(self._worst))
             if k < len(self._worst):
                 truth, answer, n = self._worst[k]

@@ -223,9 +223,9 @@ class ComparePanel(QWidget):
         if not better:
             return tr("Both have the same macro F1.")
         low, high = (gain.low, gain.high) if better == B else (-gain.high, -gain.low)
-        words = tr("<b>No clear difference</b>: macro F1 {gain} % higher for {letter} ({low} to {high} %).")
+        words = tr("<b>No clear difference</b>: macro F1 {gain} points higher for {letter} ({low} to {high}).")
         if gain.is_clear:
-            words = tr("<b>{letter} is better</b>: macro F1 {gain} % higher (95 % interval {low} to {high} %).")
+            words = tr("<b>{letter} is better</b>: macro F1 {gain} points higher (95 % interval {low} to {high}).")
         shares = {"gain": abs(gain.difference), "low": low, "high": high}
         return words.format(letter=better, **{name: f"{100 * share:.1f}" for name, share in shares.items()})
 

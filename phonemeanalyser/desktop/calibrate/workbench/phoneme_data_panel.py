@@ -229,7 +229,8 @@ class PhonemeDataPanel(QWidget):
             self._take(line, column)
         elif column == VALUE:
             number = self.table.item(line, VALUE) or self.table.item(line - 1, VALUE)  # of the two lines of a number
-            self.table.editItem(number)
+            if number is not None:
+                self.table.editItem(number)
         return True
 
     def _take(self, line: int, column: int) -> None:
