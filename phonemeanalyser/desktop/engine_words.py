@@ -87,7 +87,7 @@ WORDS = (
     tr_noop("WebAssembly and AudioWorklet, with a page that shows a talking head"),
     tr_noop("Unity package: C#, a talking face and a talking sprite"),
     tr_noop("add-on for Godot 4 (GDScript and C#), with the same two"),
-    tr_noop("Unreal plugin: a component that moves a face, and a source for Live Link"),
+    tr_noop("Unreal plugin: C++, a talking face and Live Link"),
     # units of an utterance, and of a recorded face
     tr_noop("clip"),
     tr_noop("sentence"),

@@ -279,7 +279,7 @@ TARGETS: Mapping[str, ShipTarget] = {
         "add-on for Godot 4 (GDScript and C#), with the same two", {"godot": "", "csharp": ""}, (_godot_add_on,)
     ),
     "unreal": ShipTarget(
-        "Unreal plugin: a component that moves a face, and a source for Live Link",
+        "Unreal plugin: C++, a talking face and Live Link",
         {"unreal": ""},
         (_unreal_plugin,),
         "Resources/preset.ear",

@@ -11171,8 +11171,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>Unreal plugin: a component that moves a face, and a source for Live Link</source>
-            <translation>Unreal-Plugin: eine Komponente, die ein Gesicht bewegt, und eine Quelle für Live Link</translation>
+            <source>Unreal plugin: C++, a talking face and Live Link</source>
+            <translation>Unreal-Plugin: C++, ein sprechendes Gesicht und Live Link</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
