@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QSettings, Qt
@@ -28,6 +29,8 @@ from phonemeanalyser.desktop.talk.drivers.comparison_menu import ComparisonMenu
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.welcome import WelcomeCards
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
+from phonemeengine.mouth.files.io import FaceFiles
+from phonemeengine.mouth.head import Framing, Head
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
@@ -285,16 +288,33 @@ def talk_commands(talking: TalkModel, dialogs: TalkDialogs) -> Commands:
         Command(tr_noop("Next Poor Match"), "", partial(texts.edits.show_poor, 1)),
         Command(tr_noop("Previous Poor Match"), "", partial(texts.edits.show_poor, -1)),
         Command(tr_noop("Edit Keys"), "", talking.keys.set_open, checkable=True),
-        None,
-        Command(tr_noop("Load Face…"), "", dialogs.ask_mesh),
-        Command(tr_noop("Load Mouth Table…"), "", dialogs.ask_table),
-        Command(tr_noop("Load Face Capture…"), "", dialogs.ask_expression),
-        Command(tr_noop("Open Recorded Faces…"), "", dialogs.ask_performance),
+        Command(tr_noop("Save Keys"), "", talking.keys.save),
         None,
         Command(tr_noop("Save Text…"), "", dialogs.ask_save_text),
         Command(tr_noop("Save Words and Phones…"), "", dialogs.ask_save_words),
         Command(tr_noop("Save Spoken Text as Audio File…"), "", dialogs.ask_save_speech),
+    )
+
+
+def face_commands(talking: TalkModel, dialogs: TalkDialogs) -> Commands:
+    """Return what chooses a face, what moves it, and how much of it is seen."""
+    heads = {Head.WOMAN: tr_noop("Show Woman"), Head.MAN: tr_noop("Show Man")}
+    framings = {
+        Framing.MOUTH: tr_noop("Look at Mouth"),
+        Framing.FACE: tr_noop("Look at Face"),
+        Framing.BUST: tr_noop("Look at Bust"),
+    }
+    return (
+        *(Command(words, "", partial(talking.face.load, FaceFiles(Path(head)))) for head, words in heads.items()),
+        Command(tr_noop("Load Face…"), "", dialogs.ask_mesh),
+        Command(tr_noop("Map Shapes…"), "", dialogs.ask_mapping),
         None,
+        Command(tr_noop("Load Mouth Table…"), "", dialogs.ask_table),
+        Command(tr_noop("Load Face Capture…"), "", dialogs.ask_expression),
+        Command(tr_noop("Open Recorded Faces…"), "", dialogs.ask_performance),
+        Command(tr_noop("Open Face Network…"), "", dialogs.ask_network),
+        None,
+        *(Command(words, "", partial(dialogs.look_at, framing)) for framing, words in framings.items()),
     )
 
 
@@ -304,7 +324,9 @@ KEYS_OF_TALK = ("Align Text with Recording", "Speak Text")
 
 def add_talk_menu(menus: Menus, talking: TalkModel, dialogs: TalkDialogs, window: QWidget) -> None:
     """Add the menu of the head."""
-    menu = menus.add(tr("&Talk"), *talk_commands(talking, dialogs))
+    menu = menus.add(tr("&Talk"), *talk_commands(talking, dialogs), menus.actions["Export…"], None)
+    menus.add(tr("Face"), *face_commands(talking, dialogs), within=menu)
+    menu.aboutToShow.connect(partial(show_talk, menus, talking))
     menu.addMenu(ComparisonMenu(talking.text.drivers, talking.comparison, window))
 
 
@@ -327,6 +349,7 @@ def show_talk(menus: Menus, talking: TalkModel) -> None:
     menus.show_checked("Read Notation Literally", texts.literal)
     menus.actions["Remove Lexicon"].setEnabled(texts.lexicon_path is not None)
     menus.actions["Save Words and Phones…"].setEnabled(texts.edits.possible)
+    menus.actions["Save Keys"].setEnabled(talking.keys.has_unsaved_changes)
     for text in ("Next Poor Match", "Previous Poor Match"):
         menus.actions[text].setEnabled(bool(texts.edits.poor))
 

@@ -54,9 +54,9 @@ class Menus:
         self._keys: dict[str, str] = {}
         self._of_views: list[str] = []
 
-    def add(self, title: str, *commands: Command | QAction | None) -> QMenu:
-        """Add a menu; None is a line between two groups, of which none has more than seven entries."""
-        menu = self._menus[title] = self._window.menuBar().addMenu(title)
+    def add(self, title: str, *commands: Command | QAction | None, within: QMenu | None = None) -> QMenu:
+        """Add a menu, maybe within another one; None is a line between groups of seven entries at most."""
+        menu = self._menus[title] = (within or self._window.menuBar()).addMenu(title)
         for command in commands:
             if command is None:
                 menu.addSeparator()

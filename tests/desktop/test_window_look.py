@@ -143,7 +143,9 @@ def test_each_sound_has_one_name_on_all_pages(desktop, qtbot):
 
 def test_whatever_the_page_of_the_head_does_with_files_is_in_a_menu_too(desktop, qtbot):
     window = shown(desktop, qtbot, None)
-    for place in (window.talk.export, window.talk.save_words, window.talk.text.script, window.talk.text.lexicon):
+    page = window.talk
+    bars = page.text.script, page.text.lexicon, page.key_panel.save, page.choices.own, page.choices.map
+    for place in (page.export, page.save_words, *bars, *page.choices.heads.values(), *page.heads.framings.values()):
         assert any(place.text().rstrip("…") in entry for entry in window.menus.actions), place.text()
 
 

@@ -75,6 +75,12 @@ class History:
         breaks = np.flatnonzero(np.diff(frames) != 1)
         return int(frames[breaks[-1] + 1 if len(breaks) else 0]), int(frames[-1]) + 1
 
+    def indices_of(self, first: int, last: int) -> IndexArray:
+        """Return where the frames first..last-1 of the file are, as far as they are remembered, each as it came last."""
+        at = self.indices(0, self.n)[::-1]
+        frames, places = np.unique(self.frames[at], return_index=True)
+        return at[places[(frames >= first) & (frames < last)]]
+
     def append(self, analysis: Analysis, *, heard: bool = True) -> None:
         """Take in a block of frames, at most CAPACITY - GAP; after a gap, where it does not follow the newest."""
         if self.n and analysis.start != self.frames[(self.n - 1) % CAPACITY] + 1:

@@ -24,7 +24,7 @@ from phonemeengine.errors import MouthError
 from phonemeengine.labels.table import write_text
 from phonemeengine.mouth.face_mapping import FaceMapping, mapped_table
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES, FaceFiles
-from phonemeengine.mouth.head import Head
+from phonemeengine.mouth.head import Framing, Head
 from phonemeengine.mouth.table import table_to_toml
 from phonemeengine.storage.files import write_file
 
@@ -95,6 +95,12 @@ class TalkDialogs(QObject):
         """Lead through the page, unless that was done before."""
         if not read(self._settings, "talk/toured", False):
             self.show_tour()
+
+    def look_at(self, framing: Framing) -> None:
+        """Show the mouth, the face or the bust from the front."""
+        self.page_asked.emit()
+        if self._page is not None:
+            self._page.head.go_home(framing)
 
     @staticmethod
     def opens(path: Path) -> bool:

@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Signal
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.export_kinds import FaceInUse
 from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.drivers.difference_model import DifferenceModel
 from phonemeanalyser.desktop.talk.expression.expression_model import ExpressionModel
 from phonemeanalyser.desktop.talk.expression.osc_model import OscModel
@@ -417,10 +418,16 @@ class TalkModel(QObject):
                 performer.jump_to(self._newest_frames(now, self._known_to(performer)), now)
 
     def _newest_frames(self, now: float, known: Transcript | None) -> list[TimedFrame]:
-        """Return what the history holds last, as if it had just been played."""
-        history = self.session.history
+        """Return what is before the current place, as if it had just been played; what is not known is silence."""
+        source, history = self.session.source, self.session.history
         first, last = history.newest_run(FOLLOWED)
-        at = history.indices(history.n - (last - first), history.n)
+        if source.kind is SourceKind.TEXT:  # the history holds what was played last of it, wherever that is
+            last = round(source.position / FRAME_PERIOD)
+            first = max(0, last - FOLLOWED)
+        at = history.indices_of(first, last)
+        if not len(at):
+            return [TimedFrame(now - FRAME_PERIOD, Phoneme.SILENCE, 0.0)]
+        first = int(history.frames[at[0]])
         rows = zip(history.phonemes[at].tolist(), history.intensities[at].tolist(), strict=True)
         start = now - len(at) * FRAME_PERIOD
         frames = [TimedFrame(start + k * FRAME_PERIOD, Phoneme(code), loud) for k, (code, loud) in enumerate(rows)]

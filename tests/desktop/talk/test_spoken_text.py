@@ -56,6 +56,18 @@ def test_the_head_says_what_the_voice_says(desk):
     assert max(jaws) > 5
 
 
+def test_the_head_shows_the_place_of_a_spoken_text_that_is_gone_to(desk):
+    desk.stage.look()
+    desk.say("Hello. You there.")
+    desk.stage.play(10)
+    jaws = []
+    for place in (0.35, 0.49, 0.01):  # in the o, in the pause after the word, before it
+        desk.session.seek(place)
+        desk.stage.wait(0.05)
+        jaws.append(desk.stage.jaw)
+    assert jaws[0] > 5 > max(jaws[1:])
+
+
 def test_a_second_preset_recognises_what_the_voice_says(desk):
     desk.stage.look()
     desk.session.preset.set_other(PresetDocument.read(THESIS_PRESET))
