@@ -76,7 +76,7 @@ class History:
         return int(frames[breaks[-1] + 1 if len(breaks) else 0]), int(frames[-1]) + 1
 
     def indices_of(self, first: int, last: int) -> IndexArray:
-        """Return where the frames first..last-1 of the file are, as far as they are remembered, each as it came last."""
+        """Return where the frames first..last-1 of the file are, of those still remembered; of each the newest."""
         at = self.indices(0, self.n)[::-1]
         frames, places = np.unique(self.frames[at], return_index=True)
         return at[places[(frames >= first) & (frames < last)]]

@@ -47,6 +47,8 @@ from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
 
 HALF_FRAME = (HOP - HOP // 2) / SAMPLE_RATE
 """Seconds: a block of a file is due in the middle of its last frame."""
+FITTING = 0.5
+"""Share of what a table of the program moves that a face has, at least, where its shapes count as known."""
 FOLLOWED = 60
 """Frames after which a mouth is where it would be had it followed the sound from its beginning."""
 
@@ -446,7 +448,10 @@ class TalkModel(QObject):
         if self.comparing:
             self.beside.face.share(self.face)
         if not self.face.moved_by(self._written) and self.face.tables:
-            self.set_table(max(self.face.tables, key=lambda name: len(self.face.moved_by(load_table(name)))))
+            best = max(self.face.tables, key=self.face.fit_of)
+            self.set_table(best)
+            if self.face.fit_of(best)[0] < FITTING:
+                self.shapes_unknown.emit()
             return
         self._use(self.table)
         if not self.face.moved_by(self.table) and self.face.states is not None:

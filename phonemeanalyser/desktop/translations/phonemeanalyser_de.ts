@@ -3260,7 +3260,7 @@
             <translation>F1 je Phonem seit Beginn dieser Änderung, in Prozentpunkten: {phonemes}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Face</source>
             <translation>Gesicht</translation>
         </message>
@@ -5370,6 +5370,21 @@
             <translation>Langer Puffer: 50 ms, für ausgelastete Computer</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Look at Bust</source>
+            <translation>Büste ansehen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Look at Face</source>
+            <translation>Gesicht ansehen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Look at Mouth</source>
+            <translation>Mund ansehen</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Look-ahead</source>
             <translation>Vorausschau</translation>
@@ -5550,7 +5565,7 @@
             <translation>Blendshapes von {face} zuordnen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Map Shapes…</source>
             <translation>Blendshapes zuordnen…</translation>
         </message>
@@ -6793,6 +6808,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
             <source>Open Face Network</source>
             <translation>Gesichtsnetz öffnen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Open Face Network…</source>
+            <translation>Gesichtsnetz öffnen…</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/preset_picker.py" />
@@ -8265,7 +8285,7 @@
             <translation>Kurve speichern…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Save Keys</source>
             <translation>Keyframes speichern</translation>
         </message>
@@ -8830,6 +8850,11 @@
             <translation>Am Gesicht zeigen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Show Man</source>
+            <translation>Mann zeigen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>Show Spread</source>
             <translation>Streuung anzeigen</translation>
@@ -8883,6 +8908,11 @@
             <location filename="../../../phonemeanalyser/desktop/widgets/pages.py" />
             <source>Show the {name} page (Ctrl+{number})</source>
             <translation>Seite {name} anzeigen (Strg+{number})</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Show Woman</source>
+            <translation>Frau zeigen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />

@@ -18,15 +18,20 @@ from tests.glb_faces import face_with_targets
 NAMES = ("Mouth Open", "Smile_L", "Smile_R", "Blink", "hat")
 
 
-@pytest.fixture
-def asked(stage: Stage, tmp_path: Path) -> list[bool]:
-    """What the model asked for, once it has such a face."""
+def asked_of(stage: Stage, folder: Path, names: tuple[str, ...]) -> list[bool]:
+    """Give what the model asks for, once it has a face with these shapes."""
     asked: list[bool] = []
     stage.talking.shapes_unknown.connect(lambda: asked.append(True))
-    (tmp_path / "own.glb").write_bytes(face_with_targets(NAMES))
-    stage.talking.face.load(FaceFiles(tmp_path / "own.glb"))
+    (folder / "own.glb").write_bytes(face_with_targets(names))
+    stage.talking.face.load(FaceFiles(folder / "own.glb"))
     stage.settle()
     return asked
+
+
+@pytest.fixture
+def asked(stage: Stage, tmp_path: Path) -> list[bool]:
+    """What the model asked for, once it has a face with shapes of its own."""
+    return asked_of(stage, tmp_path, NAMES)
 
 
 @pytest.fixture
@@ -41,6 +46,16 @@ def dialog(stage: Stage, asked: list[bool], qtbot: QtBot) -> Iterator[FaceMappin
 
 def test_shapes_that_no_table_knows_are_asked_about_once(asked: list[bool]) -> None:
     assert asked == [True]
+
+
+@pytest.mark.parametrize(
+    ("names", "asked"), [(("aa", "oh", *NAMES), [True]), (("aa", "ih", "ou", "ee", "oh", *NAMES), [])]
+)
+def test_shapes_are_asked_about_where_a_table_knows_less_than_half(
+    stage: Stage, tmp_path: Path, names: tuple[str, ...], asked: list[bool]
+) -> None:
+    assert asked_of(stage, tmp_path, names) == asked
+    assert stage.talking.table_name == "vrm1"
 
 
 def test_a_guess_is_shown_with_what_is_left_over(dialog: FaceMappingDialog) -> None:

@@ -93,11 +93,17 @@ class FaceModel(QObject):
 
     def moved_by(self, table: MouthTable) -> tuple[str, ...]:
         """Name the movestates of this face that a table moves."""
-        moved = {name for shape in table.shapes.values() for name, percent in shape.items() if percent}
+        moved = _moved_by(table)
         if table.targets:
             shapes = {name for ours in moved for name in table.targets.get(ours, ())}
             return tuple(mine for k, mine in self._pairs(table) if table.face_names[k] in shapes)
         return tuple(mine for k, mine in self._pairs(table) if table.movestates[k] in moved)
+
+    def fit_of(self, name: str) -> tuple[float, int]:
+        """Return which share of the movestates that one of the program's tables moves this face has, and how many."""
+        table = load_table(name)
+        there = len(self.moved_by(table))
+        return there / max(1, len(_moved_by(table))), there
 
     def refusal_of(self, name: str) -> str:
         """Return the sentence that refuses a table of this name, which moves nothing of the face."""
@@ -263,3 +269,7 @@ class MovingHead:
                 self.face.show_held()
                 self.revision += 1
         return self._held is not None
+
+
+def _moved_by(table: MouthTable) -> set[str]:
+    return {name for shape in table.shapes.values() for name, percent in shape.items() if percent}
