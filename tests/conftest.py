@@ -53,10 +53,14 @@ def pytest_unconfigure() -> None:
         shutil.rmtree(os.environ["HOME"], ignore_errors=True)
 
 
+gc.disable()  # while tests are collected, all of which stay
+
+
 def pytest_collection_finish() -> None:
     """Have no later collection of garbage look through modules and tests, which stay: it takes half a second."""
     gc.collect()
     gc.freeze()
+    gc.enable()
 
 
 collect_ignore = ["blender"]  # those run in Blender, by `make test-blender`

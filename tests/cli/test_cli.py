@@ -44,14 +44,14 @@ def test_the_program_refuses_a_hostile_file_at_once(tmp_path: Path) -> None:
     assert len(done.stderr.splitlines()) == 1
 
 
-@pytest.mark.parametrize(("path", "goes"), [(DEMO, "head -n 1"), (None, "true")])
+@pytest.mark.parametrize(("path", "goes"), [(DEMO, "head -n 1"), pytest.param(None, "true", marks=pytest.mark.long)])
 def test_a_reader_that_goes_away_is_no_fault(path: Path | None, goes: str, sound: Path) -> None:
     line = f'set -o pipefail; "{sys.executable}" -m phonemeanalyser analyse --features "{path or sound}" | {goes}'
     done = subprocess.run(["bash", "-c", line], capture_output=True, text=True, timeout=240, check=False)
     assert (done.returncode, done.stderr) == (0, "")
 
 
-@pytest.mark.parametrize("platform", [None, "wayland;xcb"])
+@pytest.mark.parametrize("platform", [None, pytest.param("wayland;xcb", marks=pytest.mark.long)])
 def test_without_a_display_it_says_so_and_what_to_do(platform: str | None, sound: Path) -> None:
     done = program(sound, **({} if platform is None else {"QT_QPA_PLATFORM": platform}))
     assert (done.returncode, done.stdout) == (3, "")

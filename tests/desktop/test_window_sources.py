@@ -18,7 +18,7 @@ from tests.desktop.test_window_sizes import name_of, room_and_need
 from tests.fakes.microphones import HandDrivenMicrophone
 from tests.sounds import tone
 
-SIZES = [(1280, 800), (1920, 1080)]
+SIZES = [(1280, 800), pytest.param((1920, 1080), marks=pytest.mark.long)]
 PAGES = ["Microphone", *ToneKind]
 LONG = Device("A Very Long Name of a Microphone With Eight Channels", "Windows WASAPI", 8, 0, 96_000, is_default=True)
 

@@ -267,7 +267,26 @@ def _filled(layout: L, parts: Iterable[Part], margins: Margins | None, spacing: 
     return layout
 
 
-class Wrapping(QWidget):
+class Rewrapped(QWidget):
+    """Is wrapped anew when it has another width, or when something in it needs more room, or less."""
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Choose one line or two."""
+        super().resizeEvent(event)
+        self.wrap()
+
+    def event(self, event: QEvent) -> bool:
+        """Choose anew."""
+        if event.type() == QEvent.Type.LayoutRequest:
+            self.wrap()
+        return super().event(event)
+
+    def wrap(self) -> None:
+        """Choose one line or two."""
+        raise NotImplementedError
+
+
+class Wrapping(Rewrapped):
     """Shows two rows side by side where there is room, and else the second one below the first."""
 
     def __init__(self, first: QLayout, second: QLayout, margins: Margins, spacing: int = 8) -> None:
@@ -282,18 +301,8 @@ class Wrapping(QWidget):
         width = max(each.minimumSize().width() for each in self._rows) + margins.left() + margins.right()
         return QSize(width, super().minimumSizeHint().height())
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Choose one line or two."""
-        super().resizeEvent(event)
-        self._wrap()
-
-    def event(self, event: QEvent) -> bool:
-        """Choose anew when something in a row needs more room, or less."""
-        if event.type() == QEvent.Type.LayoutRequest:
-            self._wrap()
-        return super().event(event)
-
-    def _wrap(self) -> None:
+    def wrap(self) -> None:
+        """Put the rows side by side where there is room."""
         needed = sum(each.sizeHint().width() for each in self._rows) + self._between
         is_wide = needed <= self._box.contentsRect().width()
         side, below = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom

@@ -48,7 +48,7 @@ def test_the_level_of_speech_is_that_of_what_is_labelled_as_speech(utterances: t
 
 
 @pytest.mark.parametrize("kind", NoiseKind)
-@pytest.mark.parametrize("snr", [20.0, 0.0, -10.0])
+@pytest.mark.parametrize("snr", [20.0, pytest.param(0.0, marks=pytest.mark.long), -10.0])
 def test_noise_is_as_far_below_the_speech_as_was_asked(
     utterances: tuple[LabelledUtterance, ...], kind: NoiseKind, snr: float
 ) -> None:

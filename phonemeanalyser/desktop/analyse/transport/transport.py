@@ -2,8 +2,8 @@
 
 from functools import partial
 
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
-from PySide6.QtGui import QActionGroup, QColor, QIcon, QKeySequence, QPainter, QResizeEvent
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QActionGroup, QColor, QIcon, QKeySequence, QPainter
 from PySide6.QtWidgets import (
     QComboBox,
     QLabel,
@@ -25,7 +25,7 @@ from phonemeanalyser.desktop.session.playback import QUIETEST_DB, Playback
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import choice, column, named, open_at_once, row, silent
+from phonemeanalyser.desktop.widgets.builders import Rewrapped, choice, column, named, open_at_once, row, silent
 from phonemeanalyser.desktop.widgets.labels import StillLabel
 from phonemeengine.settings import Channel
 
@@ -104,7 +104,7 @@ class Pages(QStackedWidget):
         return QSize(seen.minimumSizeHint().expandedTo(seen.minimumSize()).width(), most.height()) if seen else most
 
 
-class Transport(QWidget):
+class Transport(Rewrapped):
     """The bar above the views: where the sound comes from, what it does, and what belongs to its source.
 
     Signals
@@ -189,19 +189,8 @@ class Transport(QWidget):
         width = max(self._width_of(*self._first, *self._last), self._width_of(self.pages))
         return QSize(width, super().minimumSizeHint().height())
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Give what belongs to the source a row of its own where one row has no room for all."""
-        super().resizeEvent(event)
-        self._wrap()
-
-    def event(self, event: QEvent) -> bool:
-        """Look anew whether one row is enough when something in it needs more room, or less."""
-        if event.type() == QEvent.Type.LayoutRequest:
-            self._wrap()
-        return super().event(event)
-
-    def _wrap(self) -> None:
-        """Choose one row or two; two stay until the window has another width or the sound another source."""
+    def wrap(self) -> None:
+        """Give what belongs to the source a row of its own, where one lacks room, until width or source change."""
         wrapped_for = self.window().width(), self._session.source.kind
         wrapped = self.width() < self._width_of(*self._first, self.pages, *self._last)
         wrapped |= self._wrapped_for == wrapped_for
