@@ -67,6 +67,7 @@ def test_directions_are_followed_and_other_ones_are_not(text, shares):
         ("[angrey 0.6] No.", "there is no feeling 'angrey'; .*angry"),
         ("[angry 6] No.", "a feeling is shown by 0..1, found 6"),
         ("[smile] [sad] No.", "smile and sorrow are asked for at one place"),
+        ("[happy 0.5, smile 0.2] No.", "smile is asked for by 0.5 and by 0.2; keep one"),
         ("[neutral, sad] No.", "neutral goes with no other feeling"),
         ('<express-as style="bored">No.</express-as>', "a tag asks for the feeling 'bored'"),
     ],

@@ -202,7 +202,8 @@ def _shares_in(words: str, lexicon: FeelingLexicon) -> Mapping[str, float] | Non
         share = float(entry[2]) if _is_number(entry[2] or "") else 1.0 if entry[2] is None else math.nan
         if not 0 <= share <= 1:
             raise TextError(f"[{words}]: a feeling is shown by 0..1, found {entry[2]}; correct it")
-        shares[name] = share
+        if shares.setdefault(name, share) != share:
+            raise TextError(f"[{words}]: {name} is asked for by {shares[name]:g} and by {share:g}; keep one")
     if NEUTRAL in shares and len(shares) > 1:
         raise TextError(f"[{words}]: neutral goes with no other feeling; leave one of them out")
     return {name: share for name, share in shares.items() if name != NEUTRAL}

@@ -299,6 +299,11 @@
             <translation>[{words}]: Es gibt kein Gefühl {entry}; {lexicon}</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/text/feelings.py" />
+            <source>[{words}]: {name} is asked for by {shares} and by {share}; keep one</source>
+            <translation>[{words}]: {name} ist mit {shares} und mit {share} angegeben; nur eines davon behalten</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/mouth/files/threedm.py" />
             <source>a .3dm file begins with {magic}, this with {content}; choose another file</source>
             <translation>Eine .3dm-Datei beginnt mit {magic}, diese mit {content}; andere Datei wählen</translation>

@@ -35,6 +35,8 @@ def test_presets_and_blend_shapes_that_are_sent_are_shown(sent):
     client.send_message("/expression", ["smile", 0])
     shows(stream, SMILE, 0.0)
     shows(stream, BROW, 0.5)
+    client.send_message("/VMC/Ext/Blend/Val", ["AU12L", 0.4])  # an action unit
+    shows(stream, SMILE, 0.4)
 
 
 def test_nonsense_is_passed_over(sent):
