@@ -8,9 +8,9 @@ from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.manual import passage
 
 PASSAGES = {
-    "Transport": ("manual", "Playing"),
+    "Transport": ("manual", "Playback"),
     "PositionSlider": ("manual", "#The whole file"),
-    "OutputButton": ("manual", "Playing"),
+    "OutputButton": ("manual", "Playback"),
     "StateChips": ("manual", "Chips"),
     "MicrophoneBar": ("manual", "Device, channel, rate and level"),
     "RecordButton": ("manual", "Record"),

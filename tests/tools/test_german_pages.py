@@ -28,7 +28,7 @@ def english_of(page: Path) -> str:
 
 def plain(label: str) -> str:
     """Return a label as a page writes it amid a sentence: without markup, accelerator, arrow and ellipsis."""
-    return re.sub(r"</?b>|&(?!&)|^▶ | ▾$|…$", "", label).casefold()
+    return re.sub(r"</?b>|&(?=\w)|^▶ | ▾$|…$", "", label.replace("&&", "&")).casefold()
 
 
 def labels_in(text: str) -> set[str]:

@@ -134,7 +134,10 @@ class CardStream:
                 self._start()
                 self.name = str(sounddevice.query_devices(self._stream.device)["name"])
             except (sounddevice.PortAudioError, ValueError) as error:
-                raise DeviceError(f"the audio device could not be opened ({_reason(error)})") from error
+                raise DeviceError(
+                    f"the audio device could not be opened ({_reason(error)}); check that it is connected and not in "
+                    "use, or choose another"
+                ) from error
             _open.add(self)
 
     @property

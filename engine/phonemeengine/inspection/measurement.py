@@ -183,7 +183,9 @@ def save_stretch(
                     first += n
                 encoder.close()
         except OSError as error:
-            raise AudioError(f"{Path(target).name} cannot be written: {reason_of(error)}") from error
+            raise AudioError(
+                f"{Path(target).name}: cannot be written ({reason_of(error)}); choose another folder"
+            ) from error
 
 
 def format_measurement(measurement: StretchMeasurement) -> str:

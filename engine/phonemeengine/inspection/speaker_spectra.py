@@ -114,7 +114,10 @@ def measured_again(
     Cancelled : `progress` did not want to go on.
     """
     if not curve.parts:
-        raise CurveError(f"{curve.name} cannot be measured again, since it does not say of which sound file it is")
+        raise CurveError(
+            f"{curve.name} cannot be measured again, since it does not say of which sound file it is; average the "
+            "sound anew"
+        )
     try:
         again = average_parts(curve.parts, settings, curve.name, progress=progress)
     except AudioError as error:
@@ -122,7 +125,10 @@ def measured_again(
         gone = next((part.path for part in curve.parts if not part.path.is_file()), None)
         if gone is None:
             raise
-        raise CurveError(f"{curve.name} cannot be measured again, since {gone.name} is not there any more") from error
+        raise CurveError(
+            f"{curve.name} cannot be measured again, since {gone.name} is not there any more; put it back, or "
+            "average another sound"
+        ) from error
     return replace(again, since=curve.since, colour=curve.colour, hidden=curve.hidden)
 
 

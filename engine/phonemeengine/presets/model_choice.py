@@ -111,11 +111,11 @@ def with_small_network(preset: Preset) -> Preset:
 def _in_real_time(preset: Preset) -> Preset:
     """Return the preset that recognises with the real-time model; ModelError where it cannot be had."""
     if preset.live_encoder is None:
-        raise ModelError(f"the preset {preset.name[:60]!r} has no real-time model")
+        raise ModelError(f"the preset {preset.name[:60]!r} has no real-time model; choose another model")
     if preset.model is not None and preset.model.viseme_set != STANDARD_VISEMES:
         raise ModelError(
             f"the model of the preset {preset.name[:60]!r} has visemes of its own, which the real-time model "
-            "does not know"
+            "does not know; choose another model"
         )
     encoder, warnings = open_live_encoder(preset.live_encoder), preset.warnings
     head = None if preset.model is None else preset.model.live_head

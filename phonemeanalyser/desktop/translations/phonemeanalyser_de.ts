@@ -9661,8 +9661,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/stream.py" />
-            <source>the audio device could not be opened ({error})</source>
-            <translation>Das Audiogerät ließ sich nicht öffnen ({error})</translation>
+            <source>the audio device could not be opened ({error}); check that it is connected and not in use, or choose another</source>
+            <translation>Das Audiogerät ließ sich nicht öffnen ({error}); prüfen, ob es angeschlossen und frei ist, oder ein anderes wählen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
@@ -10006,8 +10006,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/presets/model_choice.py" />
-            <source>the model of the preset {name} has visemes of its own, which the real-time model does not know</source>
-            <translation>Das Modell des Presets {name} hat eigene Viseme, die das Echtzeitmodell nicht kennt</translation>
+            <source>the model of the preset {name} has visemes of its own, which the real-time model does not know; choose another model</source>
+            <translation>Das Modell des Presets {name} hat eigene Viseme, die das Echtzeitmodell nicht kennt; ein anderes Modell wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/presets/model_choice.py" />
@@ -10176,8 +10176,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/presets/model_choice.py" />
-            <source>the preset {name} has no real-time model</source>
-            <translation>das Preset {name} hat kein Echtzeitmodell</translation>
+            <source>the preset {name} has no real-time model; choose another model</source>
+            <translation>das Preset {name} hat kein Echtzeitmodell; ein anderes Modell wählen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/rule_dialogs.py" />
@@ -12351,18 +12351,13 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/inspection/speaker_spectra.py" />
-            <source>{name} cannot be measured again, since it does not say of which sound file it is</source>
-            <translation>{name} kann nicht neu gemessen werden, da die Audiodatei nicht angegeben ist</translation>
+            <source>{name} cannot be measured again, since it does not say of which sound file it is; average the sound anew</source>
+            <translation>{name} kann nicht neu gemessen werden, da die Audiodatei nicht angegeben ist; die Audiodatei neu mitteln</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/inspection/speaker_spectra.py" />
-            <source>{name} cannot be measured again, since {name_2} is not there any more</source>
-            <translation>{name} kann nicht neu gemessen werden, da {name_2} nicht mehr vorhanden ist</translation>
-        </message>
-        <message>
-            <location filename="../../../engine/phonemeengine/inspection/measurement.py" />
-            <source>{name} cannot be written: {error}</source>
-            <translation>{name} lässt sich nicht schreiben: {error}</translation>
+            <source>{name} cannot be measured again, since {name_2} is not there any more; put it back, or average another sound</source>
+            <translation>{name} kann nicht neu gemessen werden, da {name_2} nicht mehr vorhanden ist; die Datei zurücklegen oder eine andere mitteln</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/headers.py" />

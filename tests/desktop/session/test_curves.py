@@ -228,5 +228,7 @@ def test_chosen_curves_are_measured_again_in_place(table, model, part, qtbot: Qt
     model.set_setting("quantise", 4)
     table.measure_again([0])
     qtbot.waitUntil(lambda: bool(table.refused))
-    assert table.refused == ["mine cannot be measured again, since a.wav is not there any more"]
+    assert table.refused == [
+        "mine cannot be measured again, since a.wav is not there any more; put it back, or average another sound"
+    ]
     assert len(table.curves[0].frequencies) == 1024

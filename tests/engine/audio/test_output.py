@@ -233,7 +233,7 @@ def test_without_a_card_the_clock_plays(portaudio: FakePortAudio) -> None:
         raise PortAudioError("Error querying device -1\nand more")
 
     portaudio.OutputStream = refuse
-    with pytest.raises(DeviceError, match=r"^the audio device could not be opened \(Error querying device -1\)$"):
+    with pytest.raises(DeviceError, match=r"not be opened \(Error querying device -1\); check that it is connected"):
         CardOutput(1)
     assert isinstance(open_output(1), ClockOutput)
 
