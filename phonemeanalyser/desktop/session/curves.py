@@ -95,7 +95,7 @@ class CurveTable(QObject):
 
     def keep_in(self, folder: Path) -> None:
         """Store all curves in this folder from now on, and load those that the last run left there."""
-        with suppress(OSError):
+        with suppress(OSError):  # what can't be stored there says so
             folder.mkdir(parents=True, exist_ok=True)
         self._folder = folder
         for path in sorted(folder.glob(f"*{SUFFIX}")):
@@ -167,7 +167,7 @@ class CurveTable(QObject):
             if place is not None:
                 file = self._files[place]
                 if file is not None:
-                    with suppress(OSError):
+                    with suppress(OSError):  # it is there again at the next start
                         file.unlink(missing_ok=True)
                 self.curves = self.curves[:place] + self.curves[place + 1 :]
                 self._files = self._files[:place] + self._files[place + 1 :]

@@ -32,7 +32,7 @@ class UnsavedChanges(QObject):
 
     def __init__(self, preset: PresetModel, folder: Path, settings: QSettings) -> None:
         super().__init__(preset)
-        with suppress(OSError):
+        with suppress(OSError):  # a write reports what is wrong
             folder.mkdir(parents=True, exist_ok=True)
         self._preset = preset
         self._settings = settings
@@ -97,7 +97,7 @@ class UnsavedChanges(QObject):
 
 def _forget(copy: Path) -> None:
     for path in (copy, *(copy.with_suffix(suffix) for suffix in MODEL_SUFFIXES.values())):
-        with suppress(OSError):
+        with suppress(OSError):  # it is offered once more at the next start
             path.unlink(missing_ok=True)
 
 

@@ -83,7 +83,7 @@ class OpenedFiles(QObject):
         """Return what is known of those files that can be opened."""
         known = {}
         for path in paths:
-            with suppress(EngineError):
+            with suppress(EngineError):  # which is no longer listed
                 known[path] = self._look(path)
         return known
 
