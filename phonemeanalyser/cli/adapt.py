@@ -8,6 +8,7 @@ from phonemeanalyser.cli.arguments import SAID, add_map, add_options, file_place
 from phonemeanalyser.cli.jobs import say_cut_off, say_note, sounds_in
 from phonemeengine import (
     Channel,
+    CorpusError,
     LabelledUtterance,
     PhonemeMap,
     Preset,
@@ -24,6 +25,7 @@ from phonemeengine import (
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.alignment import labels_of, read_sentence
 from phonemeengine.calibration.calibrate import CalibrationResult
+from phonemeengine.calibration.scores.corpus import is_labelled
 from phonemeengine.calibration.sentences import LANGUAGES, sentences_in
 from phonemeengine.calibration.takes.room_noise import measure_room
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts
@@ -99,7 +101,7 @@ def run(options: argparse.Namespace) -> int:
 def _calibrated(preset: Preset, room: Float32Array | None, options: argparse.Namespace) -> Preset:
     mapping = load_phoneme_map(options.map) if options.map else PhonemeMap()
     held_out = _read(options.held_out, mapping, options.channel)
-    takes = _read_aloud(options) or _read(options.folders, mapping, options.channel)
+    takes = _read_aloud(options) or _read_labelled(options.folders, mapping, options.channel)
     say_cut_off([*takes, *held_out])
     result = calibrate(preset, takes, held_out=held_out, room=room)
     seconds = sum(utterance.labels[-1].end for utterance in takes if utterance.labels)
@@ -162,6 +164,16 @@ def _labelled(sound: Path, texts: SpokenTexts, channel: Channel) -> LabelledUtte
     if isinstance(said, Utterance):
         return LabelledUtterance(sound, labels_of(said), sound.stem, "read", channel)
     return read_sentence(sound, said, channel)
+
+
+def _read_labelled(sources: list[Path], mapping: PhonemeMap, channel: Channel) -> list[LabelledUtterance]:
+    bare = next((source for source in sources if source.is_file() and not is_labelled(source)), None)
+    if bare is not None:
+        raise CorpusError(
+            f"{bare.name}: there is no label file beside this sound; say what is read with --line or --text, or put "
+            "a .TextGrid, .csv or .txt file of the same name beside it"
+        )
+    return _read(sources, mapping, channel)
 
 
 def _read(sources: list[Path], mapping: PhonemeMap, channel: Channel) -> list[LabelledUtterance]:

@@ -140,6 +140,9 @@ def test_a_table_says_what_is_read_in_a_folder_as_it_does_for_other_commands(rea
 
 def test_another_text_is_refused_and_nothing_is_written(read, tmp_path, capsys):
     out = tmp_path / "voice.toml"
+    assert "me.wav: there is no label file beside this sound; say what is read" in refused(
+        capsys, "adapt", read, "-o", out
+    )
     assert refused(capsys, "adapt", read, "--line", "german", "-o", out) == (
         "me.wav: the recording does not match this sentence; read it again exactly as shown, without rushing"
     )
