@@ -76,6 +76,7 @@ class _Habit:
 
 
 def _share(constant: float, seconds: float) -> float:
+    # one pole with this time constant; before as much voice has come, 1 / n, which makes a plain mean of n frames
     return max(FRAME_PERIOD / constant, FRAME_PERIOD / (seconds + FRAME_PERIOD))
 
 
@@ -106,14 +107,16 @@ class FeelingEstimator:
         return np.array([self._follow(*row) for row in rows], np.float32)
 
     def _follow(self, level: float, tilt: float, f0: float) -> Feeling:
+        # it falls by 30 dB in 25 s, so that a shout does not make quiet speech background for good
         self._loudest = max(level, self._loudest - QUIET * FRAME_PERIOD / LONG)
         if f0 > 0 and level > self._loudest - QUIET:
-            self._learn(level, tilt, 12 * math.log2(f0))
+            self._learn(level, tilt, 12 * math.log2(f0))  # semitones, since only differences are used
         else:
             self._fresh *= math.exp(-FRAME_PERIOD / RETURN)
             self._risen = False
         if not self._voiced:
             return UNKNOWN
+        # nearer to nothing, and less certain, the less voice has come in all and the longer none has come
         habit = math.exp(-self._voiced / LEARNED)
         known = self._fresh * (1 - habit)
         values = (_weighed(weights, self._steps) * known for weights in (ACTIVATION, PLEASANTNESS))
@@ -126,11 +129,13 @@ class FeelingEstimator:
         self._fresh += (1 - self._fresh) * FRAME_PERIOD / 0.2
         for habit, value in ((self._level, level), (self._pitch, pitch), (self._tilt, tilt)):
             habit.add(value, seconds)
+        # the mean distance from the pitch of the moment is the range, which one octave error moves little
         self._swing.add(abs(pitch - self._pitch.now), seconds)
         if not seconds:
             self._fast = self._slow = level
         self._fast += (level - self._fast) * FRAME_PERIOD / 0.03
         self._slow += (level - self._slow) * FRAME_PERIOD / 0.25
+        # a syllable begins where the level of 30 ms rises over that of 250 ms; it falls below before the next one
         rises = self._fast > self._slow + BEAT
         self._beats.add(float(rises and not self._risen), seconds)
         self._risen = rises or (self._risen and self._fast > self._slow)
@@ -138,6 +143,7 @@ class FeelingEstimator:
         self._steps = (
             (self._level.now - self._level.usual) / LEVEL_UNIT,
             (self._pitch.now - self._pitch.usual) / PITCH_UNIT,
+            # half a semitone and a beat in a second are added, so that a monotonous or slow voice divides by no zero
             math.log((self._swing.now + 0.5) / (self._swing.usual + 0.5)) / RANGE_UNIT,
             math.log2((self._beats.now + 0.01) / (self._beats.usual + 0.01)) / RATE_UNIT / 2,
             (self._tilt.now - self._tilt.usual) / TILT_UNIT,
@@ -152,7 +158,7 @@ def _levels_and_tilts(windows: Float32Array) -> tuple[Float64Array, Float64Array
     """Return the level of frames, dB, and their tilt: the level of the differences of samples beside it, dB."""
     middle = windows[:, (WINDOW - 2 * HOP) // 2 :][:, : 2 * HOP]
     power = np.einsum("ij,ij->i", middle, middle).astype(np.float64)
-    rises = np.diff(middle, axis=1)
+    rises = np.diff(middle, axis=1)  # a high pass of 6 dB an octave: the more is left, the brighter the sound
     slope = np.einsum("ij,ij->i", rises, rises).astype(np.float64)
     faintest = np.finfo(np.float32).tiny
     level = 10 * np.log10(power / middle.shape[1] + faintest)

@@ -57,7 +57,7 @@ class PitchSetChooser:
     def _follow(self, f0: float) -> tuple[float, int]:
         if f0 > 0:
             self._newest.append(f0)
-            insort(self._sorted, f0)
+            insort(self._sorted, f0)  # kept in order: a median of each frame anew would sort a hundred each time
             if len(self._newest) > MOST_VOICED:
                 del self._sorted[bisect_left(self._sorted, self._newest.popleft())]
         if len(self._sorted) < LEAST_VOICED:
@@ -101,6 +101,7 @@ class PitchSetFrontEnd:
 
     def measure(self, frames: Float32Array) -> FrameBlock:
         """Measure raw frames, shape (n, 2048), at least one."""
+        # all of them each time, since time smoothing needs the frames before, whichever set they were of
         measured = {s: front_end.measure(frames) for s, front_end in self._front_ends.items()}
         own = measured[self._settings[0]]
         chosen = self._chooser.choose(own.features[PITCH.name])
