@@ -65,7 +65,7 @@ class OriginalModel(QObject):
             sound = original_sound(table, unit.recording)
             reader = None
             if sound is not None:
-                with suppress(AudioError):  # without it the user is told below
+                with suppress(AudioError):  # without it an error is shown below
                     reader = SoundReader(sound)
             return RecordedFace(performance), performance.duration, reader
 
