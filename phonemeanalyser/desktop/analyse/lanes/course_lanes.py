@@ -118,7 +118,8 @@ class CourseLanes:
         key = (id(tracks), *known, seen, row.left(), row.top(), row.width(), row.height())
         kept = self._kept.get(variable)
         if kept is None or kept[0] != key:
-            first, last = max(0, int(seen.start / FRAME_PERIOD)), int(seen.end / FRAME_PERIOD) + 1
+            # with a frame on either side, to which the line leads, also where less than one is seen
+            first, last = max(0, int(seen.start / FRAME_PERIOD) - 1), int(seen.end / FRAME_PERIOD) + 2
             values = values_of(tracks.features.part(slice(first, last)), variable, sensitivities)
             self._kept = {name: of for name, of in self._kept.items() if name in self._courses.variables}
             kept = self._kept[variable] = key, None if values is None else self._drawn(values, first, seen, row)
@@ -135,8 +136,11 @@ class CourseLanes:
 
     def _paint_course(self, painter: QPainter, row: QRectF, course: Course) -> None:
         painter.setPen(QPen(QColor(self._theme.signal), 1))
+        painter.save()
+        painter.setClipRect(row, Qt.ClipOperation.IntersectClip)
         for polygon in course.polygons:
             painter.drawPolyline(polygon)
+        painter.restore()
         edges = ((course.high, row.top()), (course.low, row.bottom() - 12))
         for value, y in edges if row.height() >= SMALL else ():
             draw_text(painter, QRectF(0, y, LEFT - 7, 12), short(value), self._theme.faint, LETTERS, AT_RIGHT)
