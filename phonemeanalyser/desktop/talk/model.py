@@ -403,8 +403,10 @@ class TalkModel(QObject):
         if not session.source.live and not session.source.playing and session.source.position and newest is not None:
             self._last, now = None, self._now()
             for performer in self._performers:
-                last = timed_frames(newest, now, self._known_to(performer))[-1]
-                performer.hold(now, last.phoneme, last.phone)
+                known = self._known_to(performer)
+                is_text = session.source.kind is SourceKind.TEXT  # which may stand elsewhere than it was played last
+                frames = self._newest_frames(now, known) if is_text else timed_frames(newest, now, known)
+                performer.hold(now, frames[-1].phoneme, frames[-1].phone)
 
     def _seek(self, _column: int = 0) -> None:
         """While nothing plays, hold the pose at the end of what comes before that place."""
@@ -424,15 +426,13 @@ class TalkModel(QObject):
         source, history = self.session.source, self.session.history
         first, last = history.newest_run(FOLLOWED)
         if source.kind is SourceKind.TEXT:  # the history holds what was played last of it, wherever that is
-            last = round(source.position / FRAME_PERIOD)
-            first = max(0, last - FOLLOWED)
+            first, last = (max(0, round(source.position / FRAME_PERIOD) - n) for n in (FOLLOWED, 0))
         at = history.indices_of(first, last)
         if not len(at):
             return [TimedFrame(now - FRAME_PERIOD, Phoneme.SILENCE, 0.0)]
         first = int(history.frames[at[0]])
         rows = zip(history.phonemes[at].tolist(), history.intensities[at].tolist(), strict=True)
-        start = now - len(at) * FRAME_PERIOD
-        frames = [TimedFrame(start + k * FRAME_PERIOD, Phoneme(code), loud) for k, (code, loud) in enumerate(rows)]
+        frames = [TimedFrame(now + k * FRAME_PERIOD, Phoneme(row[0]), row[1]) for k, row in enumerate(rows, -len(at))]
         return frames if known is None else known_frames(frames, first, known)
 
     def _take_expression(self) -> None:

@@ -59,7 +59,8 @@ def test_the_head_says_what_the_voice_says(desk):
 def test_the_head_shows_the_place_of_a_spoken_text_that_is_gone_to(desk):
     desk.stage.look()
     desk.say("Hello. You there.")
-    desk.stage.play(10)
+    desk.stage.play(0.62)
+    desk.session.pause()
     jaws = []
     for place in (0.35, 0.49, 0.01):  # in the o, in the pause after the word, before it
         desk.session.seek(place)
