@@ -89,7 +89,7 @@ class ExportQueue(QObject):
         self._work = TaskQueue(self._refuse)
         self._preview = TaskQueue(self.previewed.emit)
         self._work.changed.connect(self.changed)
-        self._work.idle.connect(self.finished)
+        self._work.idle.connect(self._end)
 
     @property
     def busy(self) -> bool:
@@ -138,6 +138,10 @@ class ExportQueue(QObject):
             if job.state in {ExportState.WAITING, ExportState.WORKING}:
                 self.jobs[k] = replace(job, state=ExportState.FAILED, words=sentence)
         self.finished.emit()
+
+    def _end(self) -> None:
+        """Say of files that are left, as after an error of the program, that nothing became of them."""
+        self._refuse(tr("stopped by an unexpected error"))
 
     def _run(self, jobs: list[Job], order: ExportOrder, folder: Path | None, progress: Progress) -> None:
         """Work in a thread of its own."""

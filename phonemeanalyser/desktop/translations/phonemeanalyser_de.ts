@@ -9385,6 +9385,11 @@
             <translation>Gestoppt</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
+            <source>stopped by an unexpected error</source>
+            <translation>durch einen unerwarteten Fehler abgebrochen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
             <source>Streams and files of other programs are recognised with this preset. The server runs until it is stopped or the program quits.</source>
             <translation>Streams und Dateien anderer Programme werden mit diesem Preset erkannt. Der Server läuft, bis er gestoppt oder das Programm beendet wird.</translation>
