@@ -4,12 +4,14 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import cast
 
-from PySide6.QtCore import QChildEvent, QEvent, QObject, Qt
+from PySide6.QtCore import QChildEvent, QEvent, QObject, Qt, QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar, QWidget
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.widgets.builders import Scrolled, column
+
+_MOVES = {QEvent.Type.Resize, QEvent.Type.Move, QEvent.Type.Show, QEvent.Type.Hide, QEvent.Type.LayoutRequest}
 
 
 class Docks(QObject):
@@ -35,6 +37,9 @@ class Docks(QObject):
         self._docks: dict[str, QDockWidget] = {}
         self._away: dict[QDockWidget, int] = {}
         self._in_front: list[QDockWidget] = []
+        self._moved = QTimer(self)
+        self._moved.setSingleShot(True)
+        self._moved.timeout.connect(self._hide_stale_tabs)
         window.installEventFilter(self)
 
     def add(self, title: str, area: Qt.DockWidgetArea, *views: QWidget) -> QDockWidget:
@@ -136,15 +141,33 @@ class Docks(QObject):
             tabs.setObjectName("DockTabs")
             tabs.setElideMode(Qt.TextElideMode.ElideNone)  # in a narrow dock they scroll: "Sch…" says nothing
             tabs.setUsesScrollButtons(True)
+        if event.type() in _MOVES:
+            self._moved.start(0)
         by_user = self._narrow <= self._window.width() == self._fitted_for and not self._fits
         if event.type() == QEvent.Type.Resize and isinstance(dock, QDockWidget) and by_user and not dock.isFloating():
             self._wide[dock] = dock.width()
         return False
 
+    def _hide_stale_tabs(self) -> None:
+        """Hide the tab bars that lie below no dock.
+
+        When a layout is restored or a second pair of docks tabbed, Qt 6.11 makes new tab bars, forgets the old ones
+        and leaves them where they were.
+        """
+        below = [dock.geometry() for dock in self._docks.values() if dock.isVisible() and not dock.isFloating()]
+        places = {(place.x(), place.bottom() + 1, place.width()) for place in below}
+        direct = Qt.FindChildOption.FindDirectChildrenOnly
+        for tabs in reversed(self._window.findChildren(QTabBar, "DockTabs", direct)):
+            if tabs.count() > 1:
+                place = tabs.x(), tabs.y(), tabs.width()
+                tabs.setVisible(place in places)
+                places.discard(place)  # of two at one place the newer one is in use
+
     def end(self) -> None:
         """Look no more: the window closes, and lays its docks out once more while it is destroyed."""
         for watched in (self._window, *self._docks.values()):
             watched.removeEventFilter(self)
+        self._moved.stop()
 
     def prefer(self, widths: Mapping[QDockWidget, int]) -> None:
         """Give some docks other widths, pixels, or what all of them needs; they get these whenever there is room."""

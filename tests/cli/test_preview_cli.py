@@ -23,8 +23,8 @@ from tests.sounds import silence
 from tests.tables import outputs_in, refused
 
 SMALL = ("--size", "64x48", "--fps", "10")
-N_FRAMES = 11
-"""Of the 0.85 s of speech at 10 fps, and until the mouth is at rest: 0, 1/10, ... 1."""
+N_FRAMES = 10
+"""Of the 0.85 s of speech at 10 fps, and until the mouth is at rest: 0, 1/10, ... 0.9."""
 FEW = ("--fps", "4")
 """Pictures are slow to draw without a graphics card."""
 

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QScrollArea,
     QStyle,
     QStyleOptionComboBox,
+    QTabBar,
     QToolButton,
     QWidget,
 )
@@ -237,7 +238,18 @@ def test_a_layout_of_a_wide_window_is_changed_for_a_narrow_one_and_that_of_a_nar
     qtbot.waitExposed(again.window)
     filters, thresholds = (again.window.findChild(QDockWidget, name) for name in ("Filters", "Thresholds"))
     assert (filters in again.window.tabifiedDockWidgets(thresholds)) is moved
+    again.window.resize(1020, 690)  # the tab bars that Qt made before the layout was restored stay where they were
+    qtbot.waitUntil(lambda: len(dock_tabs(again.window)) == 2)
+    phoneme = again.window.findChild(QDockWidget, "Phoneme").geometry()
+    places = {(tabs.x(), tabs.y(), tabs.width()) for tabs in dock_tabs(again.window)}
+    assert (phoneme.x(), phoneme.bottom() + 1, phoneme.width()) in places
     again.close()
+
+
+def dock_tabs(window: QWidget) -> list[QTabBar]:
+    """The tab bars of docks that are seen."""
+    direct = Qt.FindChildOption.FindDirectChildrenOnly
+    return [tabs for tabs in window.findChildren(QTabBar, "DockTabs", direct) if tabs.isVisible()]
 
 
 def test_every_dialog_and_dock_can_be_seen_at_once(desktop, qtbot):

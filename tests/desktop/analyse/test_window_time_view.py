@@ -27,6 +27,7 @@ from tests.desktop.hands import (
     hover,
     place,
     press,
+    settle,
     shown,
     type_number,
     wait_for_results,
@@ -128,6 +129,7 @@ def test_the_whole_minute_can_be_seen_and_no_more(desktop, qtbot):
 
 
 def test_the_cursor_reads_out_time_phoneme_frequency_and_level(desktop, window, qtbot):
+    settle()
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -1.0, eyes.share(ON_BIN))
     label = window.analysis.scroll_view._cursor_label

@@ -2,7 +2,7 @@
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPixmap, QPolygonF
+from PySide6.QtGui import QBrush, QColor, QPaintEngine, QPainter, QPen, QPixmap, QPolygonF
 from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.analyse.lanes.course_lanes import CourseLanes
@@ -75,7 +75,10 @@ class FilePainter:
         if self._view.duration <= 0:
             draw_text(painter, QRectF(self._widget.rect()), tr("No file"), self._theme.faint, 13, CENTRED)
             return
-        painter.drawPixmap(0, 0, self._picture_of_rows(rows))
+        if painter.paintEngine().type() is QPaintEngine.Type.SVG:  # lines, as they are asked for, and no pixels
+            self._paint_rows(painter, rows)
+        else:
+            painter.drawPixmap(0, 0, self._picture_of_rows(rows))
         self._paint_selection(painter, rows[3].bottom())
         x = self._layout.x_of(self._session.source.position)
         if LEFT <= x <= LEFT + self._layout.width and not self._session.seen.looks_back:
@@ -102,13 +105,16 @@ class FilePainter:
             painter.setFont(widget.font())
             top = 0.0 if is_new else rows[3].top()
             painter.fillRect(QRectF(0, top, widget.width(), widget.height() - top), ground)
-            if is_new:
-                self._paint_above(painter)
-            self._courses.paint(painter, tracks)
-            paint_times(painter, rows[3].bottom(), self._layout.axis, self._theme, widget.width())
+            self._paint_rows(painter, rows, courses_only=not is_new)
         finally:
             painter.end()
         return self._picture
+
+    def _paint_rows(self, painter: QPainter, rows: tuple[QRectF, ...], *, courses_only: bool = False) -> None:
+        if not courses_only:
+            self._paint_above(painter)
+        self._courses.paint(painter, self._session.whole.tracks)
+        paint_times(painter, rows[3].bottom(), self._layout.axis, self._theme, self._widget.width())
 
     def _paint_above(self, painter: QPainter) -> None:
         """Paint the rows above the courses."""
