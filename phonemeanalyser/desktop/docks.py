@@ -105,7 +105,11 @@ class Docks(QObject):
                 self._put_left(docks)
             at_left = max(self._wide.get(dock, 0) for dock in docks)  # they have one place
             wide = {**self._wide, **dict.fromkeys(docks, at_left)}
-            self.resize({seen: w for seen, w in wide.items() if w and not seen.isHidden() and not seen.isFloating()})
+            # one that lies behind another knows no width of its own but that of before it was laid out
+            shown = [dock for dock in wide if dock in docks or not dock.visibleRegion().isEmpty()]
+            self.resize(
+                {dock: wide[dock] for dock in shown if wide[dock] and not (dock.isHidden() or dock.isFloating())}
+            )
         self._fits = False
 
     def _stack(self, docks: Sequence[QDockWidget], on: QDockWidget) -> None:
