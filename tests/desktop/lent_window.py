@@ -182,6 +182,8 @@ class WindowLender:
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         _choose(self.settings, self._first)
         window.setUpdatesEnabled(True)
+        # Qt drops a request to paint while updates are off, and asks no second time for what is marked already.
+        QApplication.postEvent(window, QEvent(QEvent.Type.UpdateRequest))
 
     def _leave_takes(self, desktop: Desktop) -> None:
         """Have no takes and no recordings, in the folder where the program has takes unless another one is chosen."""

@@ -1,7 +1,7 @@
 """The window that tests use in turn is as new each time, or another one."""
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtWidgets import QDockWidget
 
 from phonemeanalyser.desktop.app import Desktop
@@ -31,6 +31,25 @@ def test_a_window_is_lent_again_as_it_was_at_first(lender: WindowLender, desktop
     assert window.findChild(QDockWidget).isVisible()
     assert desktop.talking.text.text == ""
     assert lender.lend() is again is desktop
+
+
+class Paints(QObject):
+    """Counts how often something is painted."""
+
+    n = 0
+
+    def eventFilter(self, _painted: QObject, event: QEvent) -> bool:
+        self.n += event.type() == QEvent.Type.Paint
+        return False
+
+
+def test_what_was_to_be_painted_when_a_window_was_brought_back_is_painted(lender, desktop, qtbot) -> None:
+    part, paints = desktop.window.transport, Paints()
+    desktop.window.update()  # Qt asks to paint it while the window is tidied, which has none painted
+    assert lender.lend() is desktop
+    part.installEventFilter(paints)
+    part.update()
+    qtbot.waitUntil(lambda: paints.n > 0)
 
 
 @pytest.mark.long
