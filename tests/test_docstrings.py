@@ -135,6 +135,31 @@ def stale_names(path: Path, tree: ast.Module, product: Product) -> Iterator[str]
             yield from (f"{path}:{line} `{name}`" for line, name in elsewhere if not product.has(name, nearby))
 
 
+def described_again(trees: dict[Path, ast.Module]) -> list[str]:
+    """Give the overrides whose docstring is that of what they override."""
+    classes = [node for tree in trees.values() for node in statements(tree) if isinstance(node, ast.ClassDef)]
+    bases = {node.name: [ast.unparse(base).split("[")[0] for base in node.bases] for node in classes}
+    said = {(node.name, method.name): ast.get_docstring(method) for node in classes for method in functions(node)}
+
+    def inherited(owner: str, method: str) -> str | None:
+        found = (said.get((base, method)) or inherited(base, method) for base in bases.get(owner, ()))
+        return next(filter(None, found), None)
+
+    return [".".join(key) for key, docstring in said.items() if docstring and docstring == inherited(*key)]
+
+
+def test_overrides_are_not_described_again() -> None:
+    assert described_again(modules()) == []
+
+
+def test_an_override_that_is_described_again_is_found() -> None:
+    text = "\n".join(
+        f"class {name}:\n  def close(self):\n    'Close {what}.'"
+        for name, what in [("Door", "it"), ("Gate(Door)", "both wings"), ("Hatch(Gate)", "both wings"), ("Lid", "it")]
+    )
+    assert described_again({Path("doors.py"): ast.parse(text)}) == ["Hatch.close"]
+
+
 def test_docstrings_say_return_where_something_is_returned() -> None:
     found = {str(path): list(false_returns(tree)) for path, tree in modules().items()}
     assert {path: functions for path, functions in found.items() if functions} == {}

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import override
 
 Float32Array = NDArray[np.float32]
 Float64Array = NDArray[np.float64]
@@ -28,6 +29,7 @@ LONGEST_SHOWN = 40
 class ShortRepr:
     """A dataclass with many numbers, whose `repr` is one line: plain values as they are, the rest by its size."""
 
+    @override
     def __repr__(self) -> str:
         shown = (f"{field.name}={_shown(getattr(self, field.name))}" for field in fields(self) if field.repr)  # type: ignore[arg-type]
         return f"{type(self).__name__}({', '.join(shown)})"

@@ -4,6 +4,8 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Any
 
+from typing_extensions import override
+
 from phonemeengine.errors import SettingsError, check_range
 
 SAMPLE_RATE = 44_100
@@ -71,6 +73,7 @@ class ModelKind(StrEnum):
     WHISPER = "whisper"
 
     @classmethod
+    @override
     def _missing_(cls, value: object) -> "ModelKind | None":
         return OLD_MODEL_KINDS.get(value) if isinstance(value, str) else None
 
@@ -118,6 +121,7 @@ class Channel(StrEnum):
         return known.index(self) if self in known else int(self.value)
 
     @classmethod
+    @override
     def _missing_(cls, value: object) -> "Channel | None":
         """Make the channels that have no other name than their number, each once."""
         if not isinstance(value, str) or not value.isdecimal() or int(value) > MOST_CHANNELS:
@@ -207,6 +211,8 @@ DECODINGS = tuple(
 )
 """The words and the value of each choice of a decoder."""
 _RATES = tuple((f"{n}: {SAMPLE_RATE // n:,} Hz".replace(",", " "), n) for n in QUANTISATIONS)
+_METHODS = tuple((kind.replace("_", "-"), kind) for kind in Decimation)
+_SHAPES = tuple((shape.replace("_", "-").title(), shape) for shape in WindowFunction)
 _STAGES = (
     Stage(
         Filter.QUANTISE,
@@ -214,12 +220,7 @@ _STAGES = (
         "Keeps every n-th sample, which lowers the sample rate and keeps frequencies below half of that.",
         (
             Parameter("quantise", "Quantise", "Rate", choices=_RATES),
-            Parameter(
-                "decimation",
-                "Decimation",
-                "Method",
-                choices=tuple((kind.replace("_", "-"), kind) for kind in Decimation),
-            ),
+            Parameter("decimation", "Decimation", "Method", choices=_METHODS),
         ),
         hints=(
             "Keeps every sample, every second or every fourth.",
@@ -237,13 +238,7 @@ _STAGES = (
         Filter.WINDOW_FUNCTION,
         "Window",
         "Fades each window in and out, which keeps a tone within few bins. Off: rectangle.",
-        (
-            Parameter(
-                "window_function",
-                "Window",
-                choices=tuple((shape.replace("_", "-").title(), shape) for shape in WindowFunction),
-            ),
-        ),
+        (Parameter("window_function", "Window", choices=_SHAPES),),
     ),
     Stage(
         Filter.FREQUENCY_SMOOTH,

@@ -7,6 +7,7 @@ import numpy as np
 import torch
 from torch import Tensor, nn
 from torch.nn import functional
+from typing_extensions import override
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.fine_tuning import HEAD_SHARES
@@ -50,8 +51,8 @@ class DilatedLayer(nn.Module):
         self.dropout = nn.Dropout(dropout)
         self.dilation, self.centred = dilation, centred
 
+    @override
     def forward(self, block: Tensor) -> Tensor:
-        """Return what the layer finds, shape (n_batch, n_out, n_frames)."""
         reach = (TAPS - 1) * self.dilation
         padding = (self.dilation, self.dilation) if self.centred else (reach, 0)
         weights = self.weights.view(len(self.weights), -1, TAPS)
@@ -103,6 +104,7 @@ class SmallNetwork(nn.Module):
         found: Tensor = self.layers(((logarithms - MEAN) / SPREAD).transpose(1, 2)).transpose(1, 2)
         return found
 
+    @override
     def forward(self, hidden: Tensor) -> Tensor:
         """Return the logits of all heads, shape (n_batch, n_frames, n_heads, 26)."""
         logits: Tensor = self.heads(hidden)
@@ -153,6 +155,7 @@ class AttentionLayer(nn.Module):
         query, key, value = parts.view(*states.shape[:2], 3, N_HEADS, -1).permute(2, 0, 3, 1, 4)
         return query @ key.transpose(2, 3) / math.sqrt(query.shape[3]), value
 
+    @override
     def forward(self, states: Tensor, bias: Tensor | None) -> Tensor:
         """Return the states after the layer; `bias`, shape (8, n, n), is added to the scores."""
         scores, value = self.scores(states)
@@ -259,6 +262,7 @@ class TrainableEncoder(nn.Module):
             states = layer(states, bias)
         return states
 
+    @override
     def forward(self, states: Tensor) -> Tensor:
         """Return the logits of the phonemes and visemes, shape (n_batch, n_frames, 26)."""
         logits: Tensor = self.head(self.norm(states))
@@ -325,6 +329,7 @@ class HeadNetwork(nn.Module):
             nn.init.normal_(layer.weight, 0, math.sqrt(gain / layer.in_features))
             nn.init.zeros_(layer.bias)
 
+    @override
     def forward(self, inputs: Tensor) -> Tensor:
         """Return the logits of both halves of each state, shape (n, 2, 26)."""
         logits: Tensor = self.out(self.dropout(functional.relu(self.hidden(inputs))))

@@ -17,6 +17,7 @@ import torch
 from torch import Tensor, nn
 from torch.nn import functional
 from torch.optim.swa_utils import AveragedModel
+from typing_extensions import override
 
 from phonemeengine.arrays import Float32Array, Int64Array
 from phonemeengine.calibration.fine_tuning import VISEME_SHARE, share_of_rate
@@ -152,13 +153,14 @@ class EncoderLesson(Lesson):
         self.network: TrainableEncoder = network
         self._config = config
 
+    @override
     def forward(self, batch: dict[str, Tensor]) -> Tensor:
-        """Return how wrong the answers in a batch are."""
         mels = disturbed(warped(batch["mels"].float(), WHISPER_BANDS), WHISPER_BANDS)
         n_ahead = int(torch.randint(2, ()))
         logits = self.network(self.network.states(with_running_floor(mels, _peaks_before(mels)), n_ahead))
         return cross_entropy(logits[:, :, None], batch, self.importance)
 
+    @override
     def optimisers(self) -> list[torch.optim.Optimizer]:
         """Return what improves the network: the head learns faster than what Whisper knows."""
         new = {*self.network.head.parameters(), *self.network.norm.parameters()}
@@ -190,8 +192,8 @@ class SmallLesson(Lesson):
         self.names = (*Lesson.names, "log_powers", *(("mels",) if teacher else ()))
         self.to_states = nn.Linear(config.width, self._teacher[0].norm.normalized_shape[0]) if teacher else None
 
+    @override
     def forward(self, batch: dict[str, Tensor]) -> Tensor:
-        """Return how wrong the answers in a batch are."""
         network, batch = self.network, dict(batch)
         hidden = network.hidden(disturbed(warped(batch["log_powers"].float(), SMALL_BANDS), SMALL_BANDS))
         loss = hidden.new_zeros(())
@@ -211,6 +213,7 @@ class SmallLesson(Lesson):
             loss = loss + STATES_SHARE * functional.mse_loss(told.float(), states) / states.var().clamp(min=1e-6)
         return loss + cross_entropy(network(hidden), batch, self.importance, network.shares)
 
+    @override
     def optimisers(self) -> list[torch.optim.Optimizer]:
         """Return what improves the network.
 

@@ -9,6 +9,8 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any, NoReturn
 
+from typing_extensions import override
+
 from phonemeengine import FORMATS
 from phonemeengine.batch.remote import place_of
 from phonemeengine.conversion.options import (
@@ -47,11 +49,12 @@ class CommandParser(argparse.ArgumentParser):
 
     examples: Sequence[str] = ()
 
+    @override
     def error(self, message: str) -> NoReturn:
-        """End the program, with a sentence about what is wrong."""
         end = " See" if message.endswith("?") else "; see"
         self.exit(2, f"{self.prog}: {message}{end} {self.prog} --help\n")
 
+    @override
     def parse_args(self, args: Any = None, namespace: Any = None) -> Any:
         """Read the arguments; an unknown option is refused with those that are spelt alike."""
         options, unknown = self.parse_known_args(None if args is None else self._renamed(args), namespace)
@@ -81,6 +84,7 @@ class CommandParser(argparse.ArgumentParser):
         print(f"{self.prog}: {old} is now {new}; the next release accepts the new name alone", file=sys.stderr)
         return new
 
+    @override
     def format_usage(self) -> str:
         """Return how the command is called, without its optional options."""
         formatter = self.formatter_class(prog=f"{self.prog} [OPTIONS]")
@@ -89,6 +93,7 @@ class CommandParser(argparse.ArgumentParser):
         )
         return formatter.format_help()
 
+    @override
     def format_help(self) -> str:
         """Return the help: a sentence, the call, the options, and examples."""
         formatter = self._get_formatter()
@@ -102,6 +107,7 @@ class CommandParser(argparse.ArgumentParser):
             parts.append("\n".join(("examples:", *(f"  {example}" for example in self.examples))) + "\n")
         return "\n".join(parts)
 
+    @override
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         """Refuse a value that is none of an argument's choices."""
         if action.choices is not None and value not in action.choices:

@@ -25,6 +25,7 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import QFileOpenEvent, QIcon, QSurfaceFormat
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop import calibrate
 from phonemeanalyser.desktop.language import SYSTEM, language_of, tr, use_language
@@ -221,8 +222,8 @@ class FirstPaint(QObject):
         super().__init__(window)
         window.installEventFilter(self)
 
+    @override
     def eventFilter(self, window: QObject, event: QEvent) -> bool:
-        """Look for the first event of that kind."""
         if event.type() == QEvent.Type.Paint:
             window.removeEventFilter(self)
             QTimer.singleShot(AFTER_PAINTING_MS, self.painted.emit)
@@ -243,8 +244,8 @@ class FileRequests(QObject):
         super().__init__(app)
         app.installEventFilter(self)
 
+    @override
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
-        """Look for files, and take them."""
         if isinstance(event, QFileOpenEvent) and event.file():
             self.asked.emit(Path(event.file()))
             return True

@@ -7,6 +7,7 @@ from typing import cast
 from PySide6.QtCore import QChildEvent, QEvent, QObject, Qt, QTimer
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.widgets.builders import Scrolled, column
@@ -134,6 +135,7 @@ class Docks(QObject):
             self._window.tabifyDockWidget(first, dock)
         first.raise_()
 
+    @override
     def eventFilter(self, dock: QObject, event: QEvent) -> bool:
         """Note how wide the user has a dock while there is room for all; while the window grows, that is not he.
 

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QTableWidgetItem,
     QWidget,
 )
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.export_choices import ExportChoices
@@ -288,22 +289,23 @@ class ExportDialog(QDialog):
 
     # -- Qt's events --------------------------------------------------------------------------------------
 
+    @override
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Take files and folders."""
         if event.mimeData().hasUrls() and not self.queue.busy:
             event.acceptProposedAction()
 
+    @override
     def dropEvent(self, event: QDropEvent) -> None:
-        """Add what was dropped."""
         self.add([Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()])
 
+    @override
     def closeEvent(self, event: QCloseEvent) -> None:
         """End the work, as *Cancel* does."""
         self._end()
         super().closeEvent(event)
 
+    @override
     def reject(self) -> None:
-        """Close, and end the work."""
         self._end()
         super().reject()
 

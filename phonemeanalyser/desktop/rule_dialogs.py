@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QDialog, QFormLayout, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.analyse.recognition.rule_editor import RuleEditor
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
@@ -75,8 +76,8 @@ class ConditionDialog(QDialog):
             return Draft(int(self.place.value()) - 1, name, Phoneme(self.phoneme.currentData()), asked)
         return Draft(int(rule), name, None, asked)
 
+    @override
     def accept(self) -> None:
-        """Add the condition."""
         self._rules.add(self.draft())
         super().accept()
 

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QSpinBox,
     QWidget,
 )
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -101,6 +102,7 @@ class ServeDialog(QDialog):
             chosen, self.host.currentData(), self.port.value(), token, self.preset.text().removesuffix(" ▾")
         )
 
+    @override
     def accept(self) -> None:
         """Start or stop; the dialog stays open."""
         if self._server.running:

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QPushButton,
     QWidget,
 )
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import table_title, tr_engine
 from phonemeanalyser.desktop.language import tr
@@ -110,8 +111,8 @@ class ShipDialog(QDialog):
         embed = target == "c" and self.embed.isChecked()
         return ShipOrder(chosen, folder, target, tables, self.overwrite.isChecked(), embed)
 
+    @override
     def accept(self) -> None:
-        """Order it, and close."""
         order = self.order()
         keep(self._settings, "ship/target", order.target)
         self._files.remember("ship", order.folder)

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QPushButton, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
@@ -74,12 +75,13 @@ class WelcomeCards(QFrame):
         self._fit()
         self.cards[0].setFocus()
 
+    @override
     def eventFilter(self, _page: QObject, event: QEvent) -> bool:
-        """Go along with the page."""
         if event.type() in {QEvent.Type.Resize, QEvent.Type.Move, QEvent.Type.Show}:
             self._fit()
         return False
 
+    @override
     def event(self, event: QEvent) -> bool:
         """Go at Escape, which is for the cards while they are seen."""
         if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:

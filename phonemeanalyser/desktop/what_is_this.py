@@ -3,6 +3,7 @@
 from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtGui import QHelpEvent, QTextDocument, QWhatsThisClickedEvent
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QWhatsThis, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.manual import passage
@@ -82,6 +83,7 @@ class WhatIsThis(QObject):
         app.installEventFilter(self)  # not before: each event of the program goes through it
         QWhatsThis.enterWhatsThisMode()
 
+    @override
     def eventFilter(self, asked: QObject, event: QEvent) -> bool:
         """Answer what Qt asks while the pointer has a question mark."""
         kinds = QEvent.Type

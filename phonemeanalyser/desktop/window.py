@@ -7,6 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QSettings, QSize, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QToolBar, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop import calibrate, commands
 from phonemeanalyser.desktop.analyse.lanes.label_dialogs import LabelDialogs
@@ -408,15 +409,13 @@ class MainWindow(QMainWindow):
             if not talking.opens(path):
                 self.dialogs.open_any(path)
 
-    # -- Qt's events --------------------------------------------------------------------------------------
-
+    @override
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Take files."""
         if event.mimeData().hasUrls():
             event.acceptProposedAction()
 
+    @override
     def dropEvent(self, event: QDropEvent) -> None:
-        """Load what was dropped."""
         event.acceptProposedAction()
         urls = event.mimeData().urls()
         self.open_files([Path(url.toLocalFile()) for url in urls if url.isLocalFile()])
@@ -425,13 +424,14 @@ class MainWindow(QMainWindow):
                 sentence = tr("{url} cannot be opened, since only files on this computer can. Save it here first.")
                 self.dialogs.rejected.emit(sentence.format(url=url.toString()))
 
+    @override
     def showEvent(self, event: QShowEvent) -> None:
         """Lay the docks out for a narrow window, unless they were laid out for one already."""
         self._fit_docks()
         super().showEvent(event)
 
+    @override
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Lay the docks out anew when the window becomes narrow, or wide again."""
         super().resizeEvent(event)
         self._fit_docks()
 
@@ -439,12 +439,14 @@ class MainWindow(QMainWindow):
         if self.isVisible() and self.pages.currentIndex() == ANALYSE:
             self._docks.fit((self._filters, self._spectra), on=self._thresholds)
 
+    @override
     def changeEvent(self, event: QEvent) -> None:
         """Keep everything whenever the user turns to another program: this one may end in any way."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.ActivationChange and not self.isActiveWindow():
             self.save_state()
 
+    @override
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask about unsaved changes, and keep the layout for the next start."""
         if not self._retired and not (self._may_leave_sound() and self.dialogs.presets.may_close()):

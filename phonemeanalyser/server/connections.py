@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from aiohttp import web
+from typing_extensions import override
 
 from phonemeanalyser.server import messages
 from phonemeanalyser.server.limits import FAILED, RefusedError, ServerLimits
@@ -109,25 +110,25 @@ class _Handler(web.RequestHandler):
         if self.transport is not None:
             self.transport.abort()
 
+    @override
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        """Begin to speak."""
         super().connection_made(transport)
         if self._is_let_go:
             self.let_go()
 
+    @override
     def connection_lost(self, exc: BaseException | None) -> None:
-        """End."""
         super().connection_lost(exc)
         self._connections.forget(self)
 
+    @override
     def handle_error(
         self,
-        request: web.BaseRequest,  # noqa: ARG002 - the library gives it
+        request: web.BaseRequest,
         status: int = 500,
         exc: BaseException | None = None,
-        message: str | None = None,  # noqa: ARG002 - several lines of its own
+        message: str | None = None,
     ) -> web.StreamResponse:
-        """Return what is answered."""
         if status >= 500:
             _log.error("a request has failed", exc_info=exc)
         answer = refusal(FAILED if status >= 500 else "this is no request of HTTP/1.1; send one", status)
@@ -138,6 +139,7 @@ class _Handler(web.RequestHandler):
 class _Full(asyncio.Protocol):
     """Says that there is no room, and closes."""
 
+    @override
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         body = messages.error(FULL)
         head = f"HTTP/1.1 503 Service Unavailable\r\nContent-Type: application/json\r\nContent-Length: {len(body)}"

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 from aiohttp import web
+from typing_extensions import override
 
 from phonemeanalyser.server.access import PROTOCOL, Access, WrongTokens, tokens_of
 from phonemeanalyser.server.activity import Activity, Happening, Report, no_report
@@ -253,6 +254,7 @@ class Service:
 class _StreamSocket(web.WebSocketResponse):
     """Says why, too, where the library itself closes a stream."""
 
+    @override
     async def close(self, *, code: int = 1000, message: bytes = b"", drain: bool = True) -> bool:
         if code == TOO_LARGE and not message:
             message = b"the message is larger than a stream's may be; send the sound in smaller pieces"

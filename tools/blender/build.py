@@ -17,8 +17,10 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 ADDON = Path(__file__).resolve().parent / "addon"
 ENGINE = ROOT / "engine" / "phonemeengine"
-TAKEN = ("phonemeengine", "tomli_w")
+TAKEN = ("phonemeengine", "tomli_w", "typing_extensions")
 """The packages of which modules are taken along."""
+MARK = b'"""The mark of overrides, which only type checkers read."""\n\n\ndef override(method):\n    return method\n'
+"""What stands for `typing_extensions`, of which the engine needs no more."""
 OF_BLENDER = ("bpy", "bpy_extras", "mathutils", "numpy")
 DATA = ("mouth/tables/*.toml",)
 """Files of the engine that its modules read."""
@@ -117,6 +119,8 @@ def _imports_in(text: str) -> Iterator[ast.Import | ast.ImportFrom]:
 
 def _files_of(module: str) -> dict[str, bytes]:
     """Return a module, and the packages that it lies in, by their places in the zip, without the page of names."""
+    if module == "typing_extensions":
+        return {"typing_extensions.py": MARK}
     parts, files = module.split("."), {}
     folder = _folder_of(parts[0])
     for n in range(1, len(parts) + 1):

@@ -5,6 +5,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, BinaryIO
 
+from typing_extensions import override
+
 from phonemeengine.errors import AudioError
 from phonemeengine.storage.files import reason_of
 
@@ -57,26 +59,27 @@ class FileSlice(io.RawIOBase):
         self._corrections = corrections
         self._at = 0
 
+    @override
     def readable(self) -> bool:
-        """Return that it can be read."""
         return True
 
+    @override
     def seekable(self) -> bool:
-        """Return that it has places to go to."""
         return True
 
+    @override
     def tell(self) -> int:
-        """Return the place, bytes."""
         return self._at
 
+    @override
     def seek(self, offset: int, whence: int = io.SEEK_SET) -> int:
         """Go to a place, which may lie beyond the end."""
         base = {io.SEEK_SET: 0, io.SEEK_CUR: self._at, io.SEEK_END: self._end}[whence]
         self._at = max(0, base + offset)
         return self._at
 
+    @override
     def readinto(self, buffer: Any) -> int:
-        """Fill a buffer as far as there are bytes, and say how many they were."""
         view = memoryview(buffer).cast("B")[: max(0, self._end - self._at)]
         if not len(view):  # the place may be one that no file has
             return 0

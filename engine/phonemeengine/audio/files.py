@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 import numpy as np
+from typing_extensions import override
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.containers import CONTAINER_SUFFIXES, ContainerDecoder, container_format
@@ -230,8 +231,8 @@ class SoundReader(Closing):
         is_mixed = self.n_channels == 2 and mix.weights
         return mix.amplified(mix.channels_mixed(block) if is_mixed else mono_of(block, self.channel))
 
+    @override
     def close(self) -> None:
-        """Let go of the file."""
         self._file.close()
         self._raw.close()
 

@@ -8,6 +8,7 @@ from typing import BinaryIO
 
 import numpy as np
 import soundfile
+from typing_extensions import override
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.wav import MOST_MARKED, Gap, to_integers, write_all
@@ -70,6 +71,7 @@ BLOCK_SIZE_AT, LENGTH_AT = 8, 21
 class _NonSeekingFile(soundfile.SoundFile):  # type: ignore[misc]
     """A sound file in which soundfile does not seek by itself before and after everything."""
 
+    @override
     def seekable(self) -> bool:
         return False
 

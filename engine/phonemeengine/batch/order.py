@@ -13,6 +13,8 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
+from typing_extensions import override
+
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.batch.remote import fetched, is_remote
 from phonemeengine.batch.work import Act, Job, JobState, Made, Outcome, Work
@@ -54,6 +56,7 @@ def order_of(work: Work) -> Order:
 class _WorkPickler(pickle.Pickler):
     """Pickles work; presets go without a real-time model where other models recognise, since it has 11 MB."""
 
+    @override
     def reducer_override(self, value: Any) -> Any:
         """Return how a preset that has a model too many is made again."""
         if not isinstance(value, Preset) or value.live_encoder is None:

@@ -16,6 +16,8 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
+from typing_extensions import override
+
 from phonemeengine.audio.locking import lock_at
 from phonemeengine.batch.remote import is_remote, write_place
 from phonemeengine.batch.work import FileState, Job, JobState, Made, Outcome, digest_of, size_and_time
@@ -124,6 +126,7 @@ class BatchRecord(Closing):
                 "some space, or choose another folder"
             ) from error
 
+    @override
     def close(self) -> None:
         """Write what was not written yet: nothing can be added to what is at an address."""
         if self._is_late:
@@ -227,8 +230,8 @@ class FolderLock(Closing):
             reason = reason_of(error) if isinstance(error, OSError) else "its disk knows no locks"
             raise BatchError(f"{folder}: cannot be written ({reason}); choose another folder") from error
 
+    @override
     def close(self) -> None:
-        """Let others in."""
         with suppress(OSError):
             self._path.unlink(missing_ok=True)  # before the release: no process locks a file that has gone
         if self._lock is not None:

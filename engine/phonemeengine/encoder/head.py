@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import override
 
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.encoder.weights import N_STATES, OUTPUT
@@ -68,9 +69,11 @@ class EncoderHead(ShortRepr):
         """Return the head with the precision of its file, so that saving it changes nothing."""
         return replace(self, **{name: getattr(self, name).astype(np.float16).astype(np.float32) for name in SHAPES})
 
+    @override
     def __eq__(self, other: object) -> bool:
         return isinstance(other, EncoderHead) and self.digest == other.digest
 
+    @override
     def __hash__(self) -> int:
         return hash(self.digest)
 

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import override
 
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.encoder.graph import HEAD_SIZE, N_HALVES, SLOTS, Weights, live_graph, live_inputs
@@ -56,9 +57,11 @@ class LiveEncoder(ShortRepr):
     content: bytes
     name: str
 
+    @override
     def __eq__(self, other: object) -> bool:
         return isinstance(other, LiveEncoder) and self.content == other.content
 
+    @override
     def __hash__(self) -> int:
         return hash(self.content)
 

@@ -11,6 +11,8 @@ import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from typing_extensions import override
+
 from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Closing
 from phonemeengine.labels.label import ROUNDING, Label, RawLabel
@@ -144,6 +146,7 @@ class TierSpool(Closing):
             self._append(first, last, text)
             self._at = last
 
+    @override
     def close(self) -> None:
         """Forget what was added."""
         self._file.close()

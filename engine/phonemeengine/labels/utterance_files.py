@@ -9,6 +9,8 @@ from itertools import groupby
 from pathlib import Path
 from typing import NamedTuple
 
+from typing_extensions import override
+
 from phonemeengine.errors import CorpusError, TextError
 from phonemeengine.execution import Closing
 from phonemeengine.labels.files import TIER_NAMES, names_in
@@ -77,6 +79,7 @@ class UtteranceSpool(Closing):
                     tier.add(*stretch)
             yield from grid_lines([*self._tiers.values(), *further.values()], duration)
 
+    @override
     def close(self) -> None:
         """Forget what was added."""
         for tier in self._tiers.values():

@@ -13,6 +13,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
+from typing_extensions import override
 
 from phonemeengine.analyser import Analyser, Analysis, Reading, latest_reading
 from phonemeengine.arrays import Float32Array, Float64Array
@@ -364,6 +365,7 @@ class Listener(Closing):
         """Record everything from now on; None ends that. The caller closes the recorder."""
         self._recorder = recorder
 
+    @override
     def close(self) -> None:
         """Stop, and let the microphone go; one that is being opened and hangs is let go when it answers."""
         self._closing = True

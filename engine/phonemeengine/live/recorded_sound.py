@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import BinaryIO, NamedTuple
 
 import numpy as np
+from typing_extensions import override
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import mono_of
@@ -73,6 +74,7 @@ class RecordedSound(Closing):
         encoder = self._encoder
         return self._path if encoder is not None and encoder.n_samples else None
 
+    @override
     def close(self) -> None:
         """Forget everything, on the disk too."""
         if self._thread.is_alive():

@@ -11,6 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from typing_extensions import override
 
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array
@@ -125,6 +126,7 @@ class Recorder(Closing):
         if self._phonemes is not None and not self._closed:
             self._phonemes.add_analysis(analysis)
 
+    @override
     def close(self) -> None:
         """End the recording and finish its files; what arrives afterwards begins no other."""
         with self._turning:

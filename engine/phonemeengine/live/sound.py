@@ -4,6 +4,7 @@ import os
 from collections import deque
 
 import numpy as np
+from typing_extensions import override
 
 from phonemeengine.analyser import Analysis, Reading, latest_reading
 from phonemeengine.arrays import Float32Array
@@ -157,8 +158,8 @@ class Sound(Closing):
         """Return the 2048 samples around what is playing now, ±1, silence beyond the sound's ends."""
         return mono_of(self._tap.around(self._at()), channel)
 
+    @override
     def close(self) -> None:
-        """Stop, and let file and device go."""
         self._player.close()
 
     def _open_device(self, n_channels: int) -> Output:

@@ -15,6 +15,7 @@ from pathlib import Path
 
 import numpy as np
 import tomli_w
+from typing_extensions import override
 
 from phonemeengine.arrays import Float32Array, Float64Array, ShortRepr
 from phonemeengine.errors import MouthError
@@ -63,6 +64,7 @@ class KeyCurve(ShortRepr):
         if len(bad):
             raise MouthError(f"an offset lies in -1..1, found {self.offsets[bad[0]]:g}; correct it")
 
+    @override
     def __eq__(self, other: object) -> bool:
         return (
             isinstance(other, KeyCurve)
@@ -70,6 +72,7 @@ class KeyCurve(ShortRepr):
             and np.array_equal(self.offsets, other.offsets)
         )
 
+    @override
     def __hash__(self) -> int:
         return hash((self.times.tobytes(), self.offsets.tobytes()))
 

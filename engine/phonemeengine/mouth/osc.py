@@ -29,6 +29,7 @@ from typing import Any
 import numpy as np
 from pythonosc.osc_bundle_builder import IMMEDIATELY, OscBundleBuilder
 from pythonosc.osc_message_builder import OscMessageBuilder
+from typing_extensions import override
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
@@ -124,6 +125,7 @@ class OscMouth(Closing):
         self._thread = threading.Thread(target=self._run, name="osc", daemon=True)
         self._thread.start()
 
+    @override
     def close(self) -> None:
         """Close the mouth at the receiver, and stop."""
         self._closing.set()
@@ -324,8 +326,8 @@ class OscExpression(Closing):
         weights: Float32Array = self._weights * np.float32(self._share_kept())
         return weights
 
+    @override
     def close(self) -> None:
-        """Listen no more."""
         self._server.shutdown()
         self._thread.join()
         self._server.server_close()

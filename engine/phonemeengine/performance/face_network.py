@@ -20,6 +20,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import override
 
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.audio.files import SoundReader
@@ -247,12 +248,12 @@ class FaceNetworkTrack(MovementTrack):
         self._mouth = FaceFrames(network, np.concatenate(weights))
 
     @property
+    @override
     def face(self) -> MouthTable:
-        """The mouth table whose movestates move."""
         return face_table()
 
+    @override
     def mouth(self) -> FaceFrames:
-        """Return a mouth for a performer to play."""
         return self._mouth
 
 

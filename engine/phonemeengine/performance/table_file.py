@@ -20,6 +20,8 @@ from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
+from typing_extensions import override
+
 from phonemeengine.errors import EngineError, PerformanceError
 from phonemeengine.execution import Closing
 from phonemeengine.performance.phrases import PhraseIndex
@@ -174,8 +176,8 @@ class PerformanceTable(Closing):
             connection.close()
             raise
 
+    @override
     def close(self) -> None:
-        """Close the file."""
         with self._lock:
             self._connection.close()
 

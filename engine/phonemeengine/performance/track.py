@@ -10,6 +10,7 @@ from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
+from typing_extensions import override
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.labels.utterance import Utterance
@@ -73,13 +74,13 @@ class PerformanceTrack(MovementTrack):
         self.head_follows = self._head is not None
 
     @property
+    @override
     def face(self) -> MouthTable:
-        """The mouth table whose movestates move."""
         return face_table()
 
     @property
+    @override
     def rests_from(self) -> float:
-        """When the mouth has come to rest after the last phone, seconds."""
         return _end_of(self.sentences[-1])
 
     @cached_property
@@ -93,6 +94,7 @@ class PerformanceTrack(MovementTrack):
         for number, sentence in enumerate(self.sentences):
             yield from self._driver.units(sentence, number)
 
+    @override
     def mouth(self, rate: float = RATE) -> "PerformedMouth":
         """Return a mouth that says it, for a performer to play.
 
@@ -102,6 +104,7 @@ class PerformanceTrack(MovementTrack):
         """
         return PerformedMouth(self.sentences, self._driver, self._head, rate)
 
+    @override
     def mouth_at(self, rate: float) -> "PerformedMouth":
         """Return a mouth each of whose pictures is one that was looked up."""
         return self.mouth(rate)

@@ -4,6 +4,8 @@ from dataclasses import asdict, dataclass
 from datetime import date
 from typing import Any
 
+from typing_extensions import override
+
 from phonemeengine.errors import PresetError
 from phonemeengine.storage.strict_table import StrictTable
 
@@ -43,6 +45,7 @@ class Judgement:
                 f"[judged] day is a date such as 2026-11-25, found {self.day!r:.40}; correct it"
             ) from error
 
+    @override
     def __str__(self) -> str:
         """Return one line for lists of presets."""
         before, after = (f"{100 * share:.0f}" for share in self.mouth_shapes)

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import override
 
 from phonemeengine.arrays import BoolArray, Float32Array, IndexArray, UInt8Array
 from phonemeengine.errors import PresetError
@@ -240,10 +241,12 @@ class ScoreTrellis(Trellis):
     def __init__(self, change_cost: float, lag: int) -> None:
         super().__init__(Decoder(dict.fromkeys(Phoneme, (0.0,) * len(Phoneme)), change_cost), lag)
 
+    @override
     def nothing(self, n_frames: int) -> Int32Array:
         """Return evidence that tells nothing of as many frames of one sound."""
         return np.zeros((n_frames, len(Phoneme)), np.int32)
 
+    @override
     def _evidence_of(self, answer: NDArray[Any]) -> NDArray[Any]:
         return answer
 

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import override
 
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.dsp.log_mel import N_BANDS
@@ -135,9 +136,11 @@ class Model(ShortRepr):
             self, layers=layers, heads=heads, viseme_heads=viseme_heads, anchors=anchors, live_head=live_head
         )
 
+    @override
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Model) and self.digest == other.digest
 
+    @override
     def __hash__(self) -> int:
         return hash(self.digest)
 

@@ -10,6 +10,7 @@ from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
+from typing_extensions import override
 
 from phonemeengine.arrays import Float32Array, IndexArray, UInt8Array
 from phonemeengine.features.measure import Features
@@ -38,6 +39,7 @@ class Condition:
     limit: float = 0.0
     enabled: bool = True
 
+    @override
     def __str__(self) -> str:
         return f"{self.variable} {self.sign} {self.threshold or self.limit}"
 
@@ -263,16 +265,16 @@ class PitchSetRules(ThesisRules):
         super().__init__(thresholds)
         self.by_set = (ThesisRules(thresholds), *map(ThesisRules, sets))
 
+    @override
     def phonemes_of(self, features: Features) -> UInt8Array:
-        """Return which phoneme each frame's variables are, shape (n_frames,)."""
         return self._chosen(features, lambda rules: rules.phonemes_of(features))
 
+    @override
     def deficits(self, features: Features) -> Float32Array:
-        """Return by what share the limits in use fall short of naming each phoneme, shape (n_frames, n_phonemes)."""
         return self._chosen(features, lambda rules: rules.deficits(features))
 
+    @override
     def explain(self, features: Features, k: int) -> Trace:
-        """Return why frame `k` of a block is recognised as it is, with the limits of the set in use."""
         return self.by_set[int(self._numbers(features)[k])].explain(features, k)
 
     def _chosen(self, features: Features, answer: Callable[[RuleRecogniser], NDArray[Answer]]) -> NDArray[Answer]:

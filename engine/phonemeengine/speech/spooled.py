@@ -13,6 +13,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
+from typing_extensions import override
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.waveform_peaks import WaveformPeaks
@@ -115,6 +116,7 @@ class SpooledSpeech(Closing):
             track = self._tracks[k] if k >= 0 else None
         return track if track is not None and seconds < track.end else None
 
+    @override
     def close(self) -> None:
         """Speak no more, and let the sound go."""
         with self._changed:

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand
+from typing_extensions import override
 
 from phonemeanalyser.colours import free_curve_colour
 from phonemeanalyser.desktop.engine_words import tr_engine
@@ -337,12 +338,12 @@ class _Removal(QUndoCommand):
         super().__init__(tr("remove averaged spectra"))
         self._table, self._removed = table, removed
 
+    @override
     def redo(self) -> None:
-        """Take them away."""
         self._table.take_away(curve for _, curve in self._removed)
 
+    @override
     def undo(self) -> None:
-        """Put them back."""
         self._table.put_back(self._removed)
 
 

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
+from typing_extensions import override
 
 from phonemeanalyser.desktop.session.history import CAPACITY, History
 from phonemeanalyser.desktop.session.seen_track import SeenTrack
@@ -70,6 +71,7 @@ class FeelingTrack(SeenTrack):
 
         self._work.replace(estimate, lambda _: self.changed.emit())
 
+    @override
     def _forget(self) -> None:
         self._felt = None
         super()._forget()

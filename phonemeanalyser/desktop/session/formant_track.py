@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import numpy as np
+from typing_extensions import override
 
 from phonemeanalyser.desktop.session.seen_track import SeenTrack
 from phonemeanalyser.desktop.session.time_view import TimeSpan
@@ -76,6 +77,7 @@ class FormantTrack(SeenTrack):
         self._known = known
         self.changed.emit()
 
+    @override
     def _forget(self) -> None:
         self._known, self._wanted = None, (0, 0)
         super()._forget()

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.time_view import TimeSpan
@@ -89,10 +90,11 @@ class LabelsEdit(QUndoCommand):
         self._before, self._after = labels.state, after
         self._moves = moves
 
+    @override
     def id(self) -> int:
-        """Return what commands have in common that may continue each other."""
         return ID_OF_MOVES if self._moves is not None else -1
 
+    @override
     def mergeWith(self, other: QUndoCommand) -> bool:
         """Go on with a boundary that is still being moved."""
         if not isinstance(other, LabelsEdit) or (other._moves, other._opened) != (self._moves, self._opened):
@@ -100,12 +102,12 @@ class LabelsEdit(QUndoCommand):
         self._after = other._after
         return True
 
+    @override
     def redo(self) -> None:
-        """Do it."""
         self._put(self._after)
 
+    @override
     def undo(self) -> None:
-        """Take it back."""
         self._put(self._before)
 
     def _put(self, state: LabelState) -> None:

@@ -6,6 +6,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import recogniser_title, sound_name
 from phonemeanalyser.desktop.language import tr, tr_amid, tr_noop
@@ -70,9 +71,11 @@ class _Edit(QUndoCommand):
         self._before = before
         self._after = after
 
+    @override
     def id(self) -> int:
         return 1
 
+    @override
     def mergeWith(self, other: QUndoCommand) -> bool:
         if not isinstance(other, _Edit):
             return False
@@ -82,9 +85,11 @@ class _Edit(QUndoCommand):
         self.setObsolete(self._after == self._before)  # a drag back to where it began is no change
         return True
 
+    @override
     def redo(self) -> None:
         self._model.apply_edit(self.letter, self._after)
 
+    @override
     def undo(self) -> None:
         self._model.apply_edit(self.letter, self._before)
 

@@ -11,6 +11,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt, QTimer, Signal
+from typing_extensions import override
 
 from phonemeanalyser.desktop.session.seen_track import SeenTrack
 from phonemeanalyser.desktop.session.time_view import TimeSpan
@@ -134,8 +135,8 @@ class SonagramTiles(SeenTrack):
         self._resting.timeout.connect(self._measure)
 
     @property
+    @override
     def busy(self) -> bool:
-        """Whether more is being measured."""
         return super().busy or self._resting.isActive()
 
     def use(self, settings: SonagramSettings) -> None:
@@ -231,6 +232,7 @@ class SonagramTiles(SeenTrack):
                 self._tiles.popitem(last=False)
         self._kept.emit()
 
+    @override
     def _forget(self) -> None:
         self._resting.stop()
         self._began = -math.inf

@@ -5,6 +5,8 @@ from enum import StrEnum
 from functools import partial
 from pathlib import Path
 
+from typing_extensions import override
+
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.playback import Playback
@@ -151,17 +153,19 @@ class FileSource(Source):
         self.reopen = partial(SoundReader, file.path, file.channel)
 
     @property
+    @override
     def name(self) -> str:
-        """The file's name."""
         return self._file.path.name
 
     @property
+    @override
     def description(self) -> str:
         """Rate and channels of the file, and what else is known of its sound."""
         n = self._file.n_file_channels
         channels = {1: "mono", 2: "stereo"}.get(n, tr("{n} channels").format(n=n))
         return ", ".join([f"{self._file.file_rate:,} Hz".replace(",", " "), channels, *self._file.known_notes])
 
+    @override
     def set_preset(self, preset: Preset) -> None:
         """Recognise with what another preset has for files that are played."""
         super().set_preset(while_played(preset))
@@ -179,12 +183,12 @@ class ToneSource(Source):
         super().__init__(preset, playback, self._reader)
 
     @property
+    @override
     def description(self) -> str:
-        """The kind of tone."""
         return tr(self._reader.tone.kind.replace("_", " "))
 
+    @override
     def follow(self, playback: Playback) -> None:
-        """Play as is chosen now."""
         super().follow(playback)
         if playback.tone != self._reader.tone:
             self._reader.set_tone(playback.tone)
@@ -201,6 +205,7 @@ class UnspokenText(Source):
         super().__init__(preset)
         self._say = say
 
+    @override
     def play(self) -> bool:
         """Ask for the text to be spoken, which is another source."""
         self._say()
@@ -232,34 +237,38 @@ class MicrophoneSource(Source):
         microphone.refresh_devices()
 
     @property
+    @override
     def description(self) -> str:
-        """What is going on."""
         return self._microphone.words
 
     @property
+    @override
     def position(self) -> float:
         """Seconds for which it has been listened to."""
         return self._microphone.listener.seconds
 
     @property
+    @override
     def playing(self) -> bool:
         """Whether it is listened to, or tried to."""
         return self._microphone.active
 
+    @override
     def play(self) -> bool:
-        """Listen."""
         self._microphone.listen(self._in_force)
         return True
 
+    @override
     def take_analyses(self) -> list[Analysis]:
-        """Return what was played since the last call."""
         return self._microphone.listener.take_analyses()
 
+    @override
     def set_preset(self, preset: Preset) -> None:
         """Recognise with another preset, which looks ahead as little as live sound allows."""
         self.preset, self._in_force = for_live_use(preset), preset
         self._microphone.set_preset(preset)
 
+    @override
     def pause(self) -> None:
         """Let the microphone go, and end the recording."""
         self._microphone.stop()

@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 import numpy as np
 from PySide6.QtCore import Qt, Signal
+from typing_extensions import override
 
 from phonemeanalyser.desktop.session.seen_track import SeenTrack
 from phonemeanalyser.desktop.session.time_view import TimeSpan
@@ -118,6 +119,7 @@ class WaveformTrack(SeenTrack):
         self._first, self._peaks, self._samples = found
         self.changed.emit()
 
+    @override
     def _forget(self) -> None:
         self._wanted, self._first, self._peaks = (0, 0), 0, WaveformPeaks()
         self._samples = np.zeros(0, np.float32)

@@ -3,6 +3,7 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSplitter, QTabWidget, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr
@@ -72,8 +73,8 @@ class PhonemeChip(QWidget):
             self.phoneme, self.intensity = latest
             self.update()
 
+    @override
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Paint it."""
         painter = QPainter(self)
         colour = QColor(PHONEME_COLOURS[self.phoneme])
         painter.fillRect(self.rect(), QColor(colour.red(), colour.green(), colour.blue(), 50))

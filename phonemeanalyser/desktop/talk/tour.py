@@ -5,6 +5,7 @@ from typing import NamedTuple
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QTabWidget, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
@@ -88,6 +89,7 @@ class Tour(QFrame):
             self._frame.hide()
             self.stops[self.stop].control.setFocus()
 
+    @override
     def eventFilter(self, _page: QObject, event: QEvent) -> bool:
         """Go along with the page, and leave with it."""
         if event.type() in {QEvent.Type.Resize, QEvent.Type.LayoutRequest}:
@@ -96,6 +98,7 @@ class Tour(QFrame):
             self.end()
         return False
 
+    @override
     def event(self, event: QEvent) -> bool:
         """Take Escape and Return, which belong to the tour while it has the focus."""
         if isinstance(event, QKeyEvent) and event.key() in {Qt.Key.Key_Escape, Qt.Key.Key_Return, Qt.Key.Key_Enter}:

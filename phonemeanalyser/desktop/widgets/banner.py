@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, QTimer
 from PySide6.QtWidgets import QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import tr_sentence
 from phonemeanalyser.desktop.language import tr
@@ -49,8 +50,8 @@ class Banner(QWidget):
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._go_back)
 
+    @override
     def eventFilter(self, _page: QObject, event: QEvent) -> bool:
-        """Go along with the page."""
         if event.type() in {QEvent.Type.Resize, QEvent.Type.Move, QEvent.Type.Show}:
             self._fit()
         return False

@@ -29,6 +29,7 @@ from PySide6.QtWidgets import (
     QVBoxLayout,
     QWidget,
 )
+from typing_extensions import override
 
 Part = QWidget | QLayout | int | tuple[QWidget | QLayout, int]
 """Of a row or a column: what stands there, also with its share of the room that is left, or such a share empty."""
@@ -270,13 +271,13 @@ def _filled(layout: L, parts: Iterable[Part], margins: Margins | None, spacing: 
 class Rewrapped(QWidget):
     """Is wrapped anew when it has another width, or when something in it needs more room, or less."""
 
+    @override
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Choose one line or two."""
         super().resizeEvent(event)
         self.wrap()
 
+    @override
     def event(self, event: QEvent) -> bool:
-        """Choose anew."""
         if event.type() == QEvent.Type.LayoutRequest:
             self.wrap()
         return super().event(event)
@@ -295,12 +296,13 @@ class Wrapping(Rewrapped):
         self._box = _filled(QBoxLayout(QBoxLayout.Direction.TopToBottom, self), [(first, 1), second], margins, 3)
         self._between = spacing
 
+    @override
     def minimumSizeHint(self) -> QSize:
-        """Ask for the width of the wider row."""
         margins = self._box.contentsMargins()
         width = max(each.minimumSize().width() for each in self._rows) + margins.left() + margins.right()
         return QSize(width, super().minimumSizeHint().height())
 
+    @override
     def wrap(self) -> None:
         """Put the rows side by side where there is room."""
         needed = sum(each.sizeHint().width() for each in self._rows) + self._between
@@ -326,12 +328,12 @@ class Scrolled(QScrollArea):
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
 
+    @override
     def sizeHint(self) -> QSize:
-        """Ask for what the view would like."""
         return self._view.sizeHint()
 
+    @override
     def minimumSizeHint(self) -> QSize:
-        """Ask for little."""
         return LEAST.boundedTo(self._view.minimumSizeHint())
 
     @property
@@ -363,6 +365,7 @@ class ScrolledDown(QScrollArea):
         """Take the width that the body needs now as the least."""
         self.setMinimumWidth(_needed_width(self, body))
 
+    @override
     def changeEvent(self, event: QEvent) -> None:
         """Measure anew in another style: that of the window comes after the body was made."""
         super().changeEvent(event)
@@ -374,6 +377,7 @@ _SET_BY_WHEEL = (QAbstractSpinBox, QComboBox, QSlider)
 
 
 class _OnlyWithFocus(QObject):
+    @override
     def eventFilter(self, watched: QObject, event: Any) -> bool:
         """Leave the wheel to what is behind a widget that has not the focus."""
         if event.type() != QEvent.Type.Wheel or not isinstance(watched, QWidget) or watched.hasFocus():

@@ -9,6 +9,7 @@ import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QComboBox, QSizePolicy, QToolTip, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -157,6 +158,7 @@ class DistributionView(QWidget):
                     return phoneme, k, value
         return None
 
+    @override
     def event(self, event: QEvent) -> bool:
         """Tell what a number is, and what a click on it does."""
         found = None
@@ -179,8 +181,8 @@ class DistributionView(QWidget):
 
     # -- painting -----------------------------------------------------------------------------------------
 
+    @override
     def paintEvent(self, _event: Any) -> None:
-        """Paint rows, axis and thresholds."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), QColor(self._theme.base))
@@ -314,6 +316,7 @@ class DistributionView(QWidget):
 
     # -- dragging -----------------------------------------------------------------------------------------
 
+    @override
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Take hold of a threshold, or make a number the value of one."""
         if event.button() != Qt.MouseButton.LeftButton:
@@ -329,8 +332,8 @@ class DistributionView(QWidget):
             self._chosen = list(self.lines).index(self._held)
             self.update()
 
+    @override
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Move the threshold that is held."""
         x = event.position().x()
         if self._held is None:
             shape = Qt.CursorShape.SizeHorCursor if self._line_near(x) is not None else Qt.CursorShape.ArrowCursor
@@ -339,13 +342,14 @@ class DistributionView(QWidget):
             return
         self._move(self._held, self.value_at(x))
 
+    @override
     def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
-        """End the drag."""
         if self._held is not None:
             self._held = None
             self._thresholds.end_move()
             self.show_lines()
 
+    @override
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Move the chosen threshold by a pixel or a tenth of one; choose another with Up and Down."""
         steps = {Qt.Key.Key_Left: -1.0, Qt.Key.Key_Right: 1.0}

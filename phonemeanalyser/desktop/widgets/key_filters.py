@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 from shiboken6 import isValid
+from typing_extensions import override
 
 _MOVING = frozenset({Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Home, Qt.Key.Key_End})
 _EDITING = frozenset({Qt.Key.Key_Backspace, Qt.Key.Key_Delete, *_MOVING})
@@ -47,6 +48,7 @@ def focus_buttons_by_tab(page: QWidget) -> None:
 class NumberFieldKeys(QObject):
     """Leaves to a field of numbers the keys that write a number; Space and undo stay the window's."""
 
+    @override
     def eventFilter(self, _watched: QObject, event: Any) -> bool:
         """Refuse keys that the field would swallow, so that the window's shortcuts see them."""
         if event.type() != QEvent.Type.ShortcutOverride or _writes_a_number(event):
@@ -58,8 +60,8 @@ class NumberFieldKeys(QObject):
 class ArrowKeys(QObject):
     """Leaves Left and Right to a widget that moves something by them; with Shift they are shortcuts of the window."""
 
+    @override
     def eventFilter(self, _watched: QObject, event: Any) -> bool:
-        """Claim the arrows for the widget."""
         if event.type() != QEvent.Type.ShortcutOverride or event.modifiers() not in _PLAIN:
             return False
         if event.key() not in (Qt.Key.Key_Left, Qt.Key.Key_Right):
@@ -74,8 +76,8 @@ class ControlKeys(QObject):
     Those are Space where that is a button, and where one types or searches letters, digits, Home, End and Delete.
     """
 
+    @override
     def eventFilter(self, _watched: QObject, event: Any) -> bool:
-        """Claim keys for the control."""
         if event.type() != QEvent.Type.ShortcutOverride or event.modifiers() not in _PLAIN:
             return False
         focused = QApplication.focusWidget()
@@ -128,6 +130,7 @@ class FocusReturn(QObject):
         if is_typed_into(self._window.focusWidget()):
             self._main_view().setFocus()
 
+    @override
     def eventFilter(self, watched: QObject, event: Any) -> bool:
         """Note which key was pressed in a list of choices, and see Return, which fields of numbers pass on."""
         if watched is self._window:

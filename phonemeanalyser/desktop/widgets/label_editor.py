@@ -5,6 +5,7 @@ from typing import Any
 from PySide6.QtCore import QEvent, QRect, QRectF, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.widgets.builders import named
@@ -52,6 +53,7 @@ class LabelEditor(QLineEdit):
         if not begun:
             self.selectAll()
 
+    @override
     def event(self, event: QEvent) -> bool:
         """Take the keys that end the typing before shortcuts and the change of focus do."""
         if isinstance(event, QKeyEvent) and event.key() in {*_KEYS, int(Qt.Key.Key_Escape)}:
@@ -61,6 +63,7 @@ class LabelEditor(QLineEdit):
             return True
         return super().event(event)
 
+    @override
     def focusOutEvent(self, event: QFocusEvent) -> Any:
         """Take the name where the user goes on elsewhere, but not because of a menu of its own."""
         super().focusOutEvent(event)

@@ -3,6 +3,7 @@
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel
+from typing_extensions import override
 
 
 class ElidedLabel(QLabel):
@@ -18,17 +19,18 @@ class ElidedLabel(QLabel):
         super().__init__(text)
         self._asks = asks
 
+    @override
     def minimumSizeHint(self) -> QSize:
-        """Ask for no width."""
         return QSize(0, super().minimumSizeHint().height())
 
+    @override
     def sizeHint(self) -> QSize:
         """Ask for no width, or for that of the text."""
         wanted = super().sizeHint()
         return wanted if self._asks else QSize(0, wanted.height())
 
+    @override
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Write the text, with an ellipsis where it does not fit."""
         room = self.contentsRect()
         text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, room.width())
         QPainter(self).drawText(room, self.alignment(), text)
@@ -49,6 +51,7 @@ class StillLabel(QLabel):
         super().__init__()
         self._least = QSize(least_width, 0)
 
+    @override
     def setText(self, text: str) -> None:
         """Write a text; one that is there already costs nothing."""
         if text == self.text():

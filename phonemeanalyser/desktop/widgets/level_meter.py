@@ -7,6 +7,7 @@ from typing import Any
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import set_size
@@ -46,8 +47,8 @@ class LevelMeterView(QWidget):
             )
         )
 
+    @override
     def paintEvent(self, _event: Any) -> None:
-        """Paint bar, held peak, scale and light."""
         painter = QPainter(self)
         level = self._read_level()
         track = QRectF(2, 4, self.width() - LIGHT_WIDTH - 8, 10)

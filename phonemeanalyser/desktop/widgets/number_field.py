@@ -3,6 +3,7 @@
 from PySide6.QtCore import QLocale
 from PySide6.QtGui import QValidator
 from PySide6.QtWidgets import QDoubleSpinBox
+from typing_extensions import override
 
 from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 
@@ -38,6 +39,7 @@ class NumberField(QDoubleSpinBox):
         self.setKeyboardTracking(not waits)
         self.installEventFilter(NumberFieldKeys(self))
 
+    @override
     def validate(self, text: str, place: int) -> tuple[QValidator.State, str, int]:
         """Judge what was typed, with a point for a comma; gives state, text and place of the cursor."""
         return super().validate(text.replace(",", "."), place)

@@ -5,6 +5,7 @@ from typing import Generic, TypeVar
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QStackedWidget, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.widgets.builders import Scrolled, row, toggle_button
@@ -19,13 +20,13 @@ class PageStack(QStackedWidget):
         super().__init__()
         self.currentChanged.connect(lambda _number: self.updateGeometry())
 
+    @override
     def sizeHint(self) -> QSize:
-        """Ask for what the page that is seen would like."""
         seen = self.currentWidget()
         return seen.sizeHint() if seen else super().sizeHint()
 
+    @override
     def minimumSizeHint(self) -> QSize:
-        """Ask for what the page that is seen needs."""
         seen = self.currentWidget()
         return seen.minimumSizeHint().expandedTo(seen.minimumSize()) if seen else super().minimumSizeHint()
 

@@ -4,6 +4,7 @@ from typing import Any, Protocol
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtWidgets import QApplication, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.widgets.key_filters import is_typed_into
 from phonemeengine.phonemes import Phoneme
@@ -65,6 +66,7 @@ class HeldKeys(QObject):
         self.settling.setInterval(SETTLE_MS)
         self.settling.timeout.connect(self._let_go)
 
+    @override
     def eventFilter(self, _watched: QObject, event: Any) -> bool:
         """Begin and end; without the window's focus nothing is held."""
         kind = event.type()

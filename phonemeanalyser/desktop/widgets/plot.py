@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QGraphicsItem, QLabel, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
@@ -36,29 +37,32 @@ class LiveCurve(pg.PlotCurveItem):
         super().__init__()
         self.setPen(pen)
 
+    @override
     def setData(self, x: ArrayLike = (), y: ArrayLike = ()) -> None:
-        """Draw another curve, both of shape (n,)."""
         self.xData, self.yData = np.asarray(x, float), np.asarray(y, float)
         self.path = None
         self._lines = broken_line(self.xData, self.yData)
         self.update()
 
+    @override
     def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
-        """Paint what is known."""
         painter.setPen(self.opts["pen"])
         for line in self._lines:
             painter.drawPolyline(line)
 
+    @override
     def boundingRect(self) -> QRectF:
         """Return the visible part of the plot."""
         return self._bounds
 
+    @override
     def viewTransformChanged(self) -> None:
         """Take over the new visible part (that of the view box, since viewRect() keeps the old one)."""
         super().viewTransformChanged()
         view = self.getViewBox()
         self._bounds = view.viewRect() if view is not None else QRectF()
 
+    @override
     def dataBounds(self, *_asked: Any, **_options: Any) -> tuple[None, None]:
         """Ask for no range, since the axes are fixed."""
         return None, None
@@ -98,24 +102,25 @@ class LiveAxis(pg.AxisItem):
         self.setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)  # painting an axis costs half a ms
         self.enableAutoSIPrefix(False)
 
+    @override
     def boundingRect(self) -> QRectF:
-        """Return the room of numbers, ticks and grid."""
         if self._bounds is None:
             self._bounds = super().boundingRect()
         return self._bounds
 
+    @override
     def setGeometry(self, *geometry: Any) -> None:
-        """Take another place."""
         self._bounds = None
         super().setGeometry(*geometry)
 
+    @override
     def resizeEvent(self, event: Any = None) -> None:
         """Leave the name of an upright axis out where it would be cut."""
         super().resizeEvent(event)
         self._leave_out_cut_name()
 
+    @override
     def setLabel(self, *name: Any, **style: Any) -> None:
-        """Take another name."""
         super().setLabel(*name, **style)
         self._leave_out_cut_name()
 
@@ -123,6 +128,7 @@ class LiveAxis(pg.AxisItem):
         if self.orientation == "left" and self.label is not None:
             self.label.setVisible(self.label.boundingRect().width() <= self.size().height())
 
+    @override
     def tickSpacing(self, low: float, high: float, size: float) -> list[tuple[float, float]]:
         """Return the spacings of the ticks; numbers of a small plot are so far apart that they do not overlap."""
         levels: list[tuple[float, float]] = super().tickSpacing(low, high, size)
@@ -135,11 +141,12 @@ class LiveAxis(pg.AxisItem):
         lacking = least * (high - low) / (spacing * max(size, 1.0))
         return [(spacing * 2 ** max(0, math.ceil(math.log2(lacking))), offset), *others]
 
+    @override
     def setGrid(self, grid: float | bool) -> None:
-        """Show a grid, or none."""
         self._bounds = None
         super().setGrid(grid)
 
+    @override
     def linkedViewChanged(self, *change: Any) -> None:
         """Show another range, or beside a plot of another size."""
         self._bounds = None
@@ -163,6 +170,7 @@ class RangeBox(pg.ViewBox):
         super().__init__(enableMenu=False)
         self.draw: Callable[[float, float], object] | None = None
 
+    @override
     def mouseDragEvent(self, event: Any, axis: int | None = None) -> None:
         """Draw a range, or move the picture."""
         if self.draw is None or event.button() != Qt.MouseButton.LeftButton:
@@ -236,6 +244,7 @@ class Plot(QWidget):
             self._cursor.setPos(point.x())
         self._cursor_label.show_reading("" if point is None else self._read_out(point.x(), point.y()))
 
+    @override
     def showEvent(self, event: Any) -> None:
         """Have Tab come to the plot after what stands above it."""
         items = [bar.itemAt(k) for bar in (self.beside, self.header) for k in range(bar.count())]
@@ -245,8 +254,8 @@ class Plot(QWidget):
             QWidget.setTabOrder(one, other)
         super().showEvent(event)
 
+    @override
     def leaveEvent(self, event: Any) -> None:
-        """Hide the cursor when the mouse leaves."""
         self._mouse = None
         self.refresh_read_out()
         super().leaveEvent(event)

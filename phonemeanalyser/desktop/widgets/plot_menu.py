@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QTableWidgetItem,
     QWidget,
 )
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeengine.errors import EngineError
@@ -74,8 +75,8 @@ class PlotMenu(QMenu):
         self.at = at
         self.popup(self._plot.mapToGlobal(at))
 
+    @override
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
-        """Reset the zoom at a double click."""
         if not (isinstance(event, QMouseEvent) and event.type() == QEvent.Type.MouseButtonDblClick):
             return False
         if event.button() == Qt.MouseButton.LeftButton and self._reset is not None:

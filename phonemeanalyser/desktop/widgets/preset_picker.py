@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QTreeWidgetItem,
     QWidget,
 )
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -126,6 +127,7 @@ class PresetList(QFrame):
         self.show()
         self.search.setFocus()
 
+    @override
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Have the keys that move in the list, choose and close work while one types."""
         if isinstance(event, QKeyEvent) and event.key() in {*_MOVING, *_TAKING, Qt.Key.Key_Escape}:
@@ -255,8 +257,8 @@ class PresetPicker(QPushButton):
         shown = self.fontMetrics().elidedText(name, Qt.TextElideMode.ElideMiddle, self.width() - 34)
         self.setText(f"{shown} ▾".replace("&", "&&"))
 
+    @override
     def resizeEvent(self, event: Any) -> None:
-        """Elide anew."""
         super().resizeEvent(event)
         self.show_name(self._name)
 
@@ -304,12 +306,15 @@ class PresetChoice(PresetPicker):
         self.setToolTip("" if path is None else str(path))
         self.changed.emit()
 
+    @override
     def _first(self) -> str:
         return self._current
 
+    @override
     def _marks(self) -> dict[Path, str]:
         return {} if self.path is None else {self.path.resolve(): "✓"}
 
+    @override
     def _take(self, value: Path | str | None, other: bool) -> None:
         if value is None:
             self.choose(None)

@@ -3,6 +3,7 @@
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QComboBox, QCompleter, QLineEdit
+from typing_extensions import override
 
 from phonemeanalyser.desktop.widgets.builders import named
 
@@ -10,8 +11,8 @@ from phonemeanalyser.desktop.widgets.builders import named
 class SearchField(QLineEdit):
     """Has all of its text selected at the first click, so that what is typed begins a search."""
 
+    @override
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Select all when the field gets the focus by it."""
         begins = not self.hasFocus() or not self.isModified()
         super().mousePressEvent(event)
         if begins:

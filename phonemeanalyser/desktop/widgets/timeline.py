@@ -7,6 +7,7 @@ from typing import NamedTuple
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QScrollBar, QSizePolicy, QToolTip, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.painting import draw_text
 from phonemeanalyser.desktop.theme import Theme
@@ -108,6 +109,7 @@ class Timeline(QWidget):
         lane = max(0, int((y - HEADING) // (HEIGHT + GAP)))
         return lane if lane < len(self.lanes) else None
 
+    @override
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Paint the lanes, the names of the chapters, and where one begins; the playhead above all."""
         painter, theme, axis = QPainter(self), self._theme, self.axis
@@ -218,6 +220,7 @@ class TimelineView(QWidget):
         self._filling = max(seconds, FRAME_PERIOD)
         self._fit()
 
+    @override
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Take a boundary in the hand, else what is seen, to scroll it."""
         if event.button() != Qt.MouseButton.LeftButton or event.position().x() < LEFT - GRAB:
@@ -226,12 +229,13 @@ class TimelineView(QWidget):
         if lanes.drag.press(lanes.rows(), lanes.axis, event.position(), lanes.duration) is None:
             self._pressed = event.position(), self.bar.value()
 
+    @override
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        """Tell which span it was."""
         if event.button() == Qt.MouseButton.LeftButton:
             for number, span in self._spans_at(event.position()):
                 self.span_double_clicked.emit(number, span)
 
+    @override
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Drag the boundary or the lanes along; show which boundaries can be."""
         lanes, place = self.lanes, event.position()
@@ -245,6 +249,7 @@ class TimelineView(QWidget):
             over = lanes.drag.boundary_at(lanes.rows(), lanes.axis, place)
             self.setCursor(Qt.CursorShape.ArrowCursor if over is None else Qt.CursorShape.SplitHCursor)
 
+    @override
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """Let the boundary go; it has moved, unless it is where it was. Else choose the span that was clicked."""
         if event.button() != Qt.MouseButton.LeftButton:
@@ -257,8 +262,8 @@ class TimelineView(QWidget):
             for number, span in self._spans_at(event.position()):
                 self.span_clicked.emit(number, span)
 
+    @override
     def event(self, event: QEvent) -> bool:
-        """Tell of the span under the mouse what there is to tell."""
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             tip = next(
                 (
@@ -273,6 +278,7 @@ class TimelineView(QWidget):
                 return True
         return super().event(event)
 
+    @override
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom at the mouse; with Shift, or a sideways wheel, scroll."""
         turned, lanes = event.angleDelta(), self.lanes
@@ -286,13 +292,13 @@ class TimelineView(QWidget):
         self._fit()
         self.bar.setValue(round(frame - (x - LEFT) / lanes.scale))
 
+    @override
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Let the scroll bar know how much is seen."""
         super().resizeEvent(event)
         self._fit()
 
+    @override
     def leaveEvent(self, _event: QEvent) -> None:
-        """Show the usual cursor elsewhere."""
         self.unsetCursor()
 
     def _spans_at(self, place: QPointF) -> list[tuple[int, int]]:

@@ -5,6 +5,8 @@ from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 
+from typing_extensions import override
+
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader, mono_of
 from phonemeengine.calibration.takes.quality import TakeReport, check_take
@@ -197,6 +199,7 @@ class TakeProject(Closing):
         found = [write_copy(self.folder, take, suffix) for take in self.takes]
         return tuple(path for path in found if path is not None)
 
+    @override
     def close(self) -> None:
         """Let others open the project; may be called twice."""
         self._disk.close()

@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+from typing_extensions import override
 
 from phonemeengine.analyser import BLOCK, Analyser
 from phonemeengine.arrays import Float32Array, Float64Array
@@ -138,6 +139,7 @@ class SilenceAccuracy:
     room_silent: ConfidenceInterval
     speech_silent: ConfidenceInterval | None
 
+    @override
     def __str__(self) -> str:
         speech = self.speech_silent
         lost = "" if speech is None else f"; speech in the takes: {_in_words(speech)}"
@@ -168,6 +170,7 @@ class RoomNoise:
         """RMS level of the room, dB below full scale."""
         return float(20 * np.log10(max(self.level, SILENT)))
 
+    @override
     def __str__(self) -> str:
         return f"{self.decibels:.0f} dBFS, measured for {self.seconds:.1f} s"
 

@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from functools import cached_property
 
+from typing_extensions import override
+
 from phonemeengine.errors import TextError
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import MovementTrack
@@ -34,17 +36,17 @@ class PinyinTrack(MovementTrack):
     table: PinyinTable
 
     @property
+    @override
     def face(self) -> MouthTable:
-        """The mouth table whose movestates move."""
         return self.table.mouth
 
     @cached_property
+    @override
     def rests_from(self) -> float:
-        """When the mouth has come to rest after the last row, seconds."""
         return self.mouth().rests_from
 
+    @override
     def mouth(self) -> PinyinMouth:
-        """Return a mouth that says it, for a performer to play."""
         return PinyinMouth(self.plan, self.table)
 
     def silent_transcript(self, name: str) -> Transcript:

@@ -8,6 +8,7 @@ import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QWheelEvent
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.analyse.lanes.course_lanes import CourseLanes, HeldLine
 from phonemeanalyser.desktop.analyse.lanes.feeling_lane import feeling_tip, feeling_words
@@ -125,6 +126,7 @@ class FileView(QWidget):
         self._painter.renew()
         self.update()
 
+    @override
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Paint all rows, what is selected, and the playhead."""
         painter = QPainter(self)
@@ -175,6 +177,7 @@ class FileView(QWidget):
 
     # -- the user's hand ----------------------------------------------------------------------------------
 
+    @override
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom at the pointer; with Shift, or a sideways wheel, scroll."""
         turned = event.angleDelta()
@@ -184,6 +187,7 @@ class FileView(QWidget):
             self._view.zoom(self._layout.time_at(event.position().x()), WHEEL_STEP ** (turned.y() / 120))
         event.accept()
 
+    @override
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Begin to scroll, or with Shift to select."""
         if event.button() == Qt.MouseButton.LeftButton:
@@ -195,6 +199,7 @@ class FileView(QWidget):
             elif not self._selects:
                 self._catch(event)
 
+    @override
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Rename the label that lies there."""
         label = self._label_at(event.position())
@@ -249,6 +254,7 @@ class FileView(QWidget):
         left, right = (min(max(layout.x_of(t), LEFT), LEFT + layout.width) for t in span)
         self.editor.open_over(QRectF(left, row.top(), right - left, row.height()), name, begun=begun)
 
+    @override
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Scroll, or select; with no button, tell what lies there."""
         self._mouse = event.position()
@@ -274,6 +280,7 @@ class FileView(QWidget):
             start = self._dragged_from.start - moved / self._layout.width * self._dragged_from.seconds
             self._view.show(TimeSpan(start, start + self._dragged_from.seconds))
 
+    @override
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """Go to a place that was clicked."""
         if self._pressed is None:
@@ -292,12 +299,13 @@ class FileView(QWidget):
         self._view.select(None if label is None else self._labels.span_of(label))
         self.sought.emit(min(max(self._layout.time_at(event.position().x()), 0.0), self._view.duration))
 
+    @override
     def leaveEvent(self, event: Any) -> None:
-        """Tell nothing when the mouse leaves."""
         self._mouse = None
         self.update()
         super().leaveEvent(event)
 
+    @override
     def event(self, event: QEvent) -> bool:
         """Keep letters, and Escape, from being shortcuts while a label is chosen: they name it, or let it go."""
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride and self._names(event):
@@ -326,6 +334,7 @@ class FileView(QWidget):
         letter = event.text().isprintable() and bool(event.text().strip())
         return self._labels.chosen is not None and ((plain and letter) or event.key() == Qt.Key.Key_Escape)
 
+    @override
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Name the chosen label, split the one at the cursor; scroll by half of what is seen, and zoom."""
         chosen = self._labels.chosen

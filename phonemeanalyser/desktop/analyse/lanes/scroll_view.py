@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QGridLayout, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.analyse.lanes.feeling_lane import (
     FEELING_HEIGHT,
@@ -67,6 +68,7 @@ class SonagramItem(pg.GraphicsObject):
         self.n_drawn = self._history.n
         self.update()
 
+    @override
     def boundingRect(self) -> QRectF:
         """One minute by one."""
         return QRectF(-SPAN, 0, SPAN, 1)
@@ -75,8 +77,8 @@ class SonagramItem(pg.GraphicsObject):
         """Return what is known of what is seen."""
         return self._live.tiles_for(TimeSpan(axis.start, axis.end), max(1, round(axis.width)))
 
+    @override
     def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
-        """Paint what is in view, and its overlays."""
         row, axis = row_of(self, painter, self.n_drawn)
         painter.resetTransform()
         painter.fillRect(row, QColor(self._theme.base))
@@ -101,10 +103,12 @@ class PhonemeLane(pg.GraphicsObject):
         self._pixels = np.array([QColor(colour).rgb() for colour in colours], np.uint32)
         self._names = [*names_in_lanes(), ""]
 
+    @override
     def boundingRect(self) -> QRectF:
         """One minute by one."""
         return QRectF(-SPAN, 0, SPAN, 1)
 
+    @override
     def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
         """Paint the segments that are in view, and the names of those that are wide enough."""
         view, n = self.viewRect(), self._sonagram.n_drawn
@@ -126,12 +130,13 @@ class FeelingItem(pg.GraphicsObject):
         self._feelings, self._sonagram, self._theme = feelings, sonagram, theme
         self.setToolTip(feeling_tip())
 
+    @override
     def boundingRect(self) -> QRectF:
         """One minute by one."""
         return QRectF(-SPAN, 0, SPAN, 1)
 
+    @override
     def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
-        """Paint what is known of what is in view."""
         row, axis = row_of(self, painter, self._sonagram.n_drawn)
         painter.resetTransform()
         paint_feelings(painter, row, axis, self._feelings.feelings_in(TimeSpan(axis.start, axis.end)), self._theme)
@@ -151,8 +156,8 @@ class MarksAxis(LiveAxis):
         super().__init__("left")
         self._painter, self._theme = painter, theme
 
+    @override
     def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
-        """Write the frequencies."""
         row = QRectF(0, 0, self.size().width(), self.size().height())
         self._painter.paint_marks(painter, row, self._theme.faint, row.width() - 7)
 
@@ -165,8 +170,8 @@ class ColourBar(QWidget):
         self._painter = painter
         self.setFixedWidth(SIDE)
 
+    @override
     def paintEvent(self, _event: Any) -> None:
-        """Paint the bar and its levels."""
         self._painter.paint_side(QPainter(self), QRectF(0, 1, 0, self.height() - 3))
 
 
@@ -353,8 +358,8 @@ class ScrollView(QWidget):
 
     # -- the cursor ---------------------------------------------------------------------------------------
 
+    @override
     def leaveEvent(self, event: Any) -> None:
-        """Hide the read-out when the mouse leaves."""
         self._mouse = None
         self._refresh_read_out()
         super().leaveEvent(event)

@@ -5,6 +5,7 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFormLayout, QMenu, QToolButton, QWidget, QWidgetAction
+from typing_extensions import override
 
 from phonemeanalyser.desktop.analyse.lanes.sonagram import add_colour_maps
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -39,6 +40,7 @@ class _Fields(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # else the menu leaves it out
         self.setFocusProxy(fields[0])
 
+    @override
     def focusNextPrevChild(self, forwards: bool) -> bool:
         """Give the focus to the next field or the one before; a menu would give it to its lines."""
         now = self.window().focusWidget()

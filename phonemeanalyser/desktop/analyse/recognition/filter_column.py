@@ -8,6 +8,7 @@ from typing import Any
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QSizePolicy, QSlider, QToolButton, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import recogniser_title
 from phonemeanalyser.desktop.language import tr, tr_amid
@@ -70,6 +71,7 @@ class LookAheadSlider(QSlider):
             self._waiting = waiting
             self._tell()
 
+    @override
     def event(self, event: QEvent) -> bool:
         """Claim the keys to the ends, which are else the window's."""
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride and event.key() in ENDS:
@@ -202,6 +204,7 @@ class FilterColumn(ScrolledDown):
             heading.toggled.connect(switch)
         return heading
 
+    @override
     def keep_width(self, body: QWidget) -> None:
         """Leave room for headings in either look, so that the column keeps its width."""
         for heading in self._headings.values():

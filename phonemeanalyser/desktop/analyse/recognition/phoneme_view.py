@@ -7,6 +7,7 @@ from typing import Any
 from PySide6.QtCore import QEvent, QPoint, QRectF
 from PySide6.QtGui import QColor, QHelpEvent, QPainter
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -75,8 +76,8 @@ class PhonemeView(QWidget):
         self.setMinimumSize(250, 128 + (N_ROWS + 1) * ROW)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 
+    @override
     def event(self, event: QEvent) -> bool:
-        """Show the tip of what lies under the mouse."""
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
             QToolTip.showText(event.globalPos(), f"<p>{self.tip_at(event.pos())}</p>", self)
             return True
@@ -173,8 +174,8 @@ class PhonemeView(QWidget):
         """How many comparisons there is room for; what is said of flicker takes a row."""
         return N_ROWS - bool(self.flicker)
 
+    @override
     def paintEvent(self, _event: Any) -> None:
-        """Paint phoneme, intensity, measures and trace from top to bottom."""
         painter = QPainter(self)
         phoneme, intensity, meters, line = self._boxes()
         self._paint_phoneme(painter, phoneme)

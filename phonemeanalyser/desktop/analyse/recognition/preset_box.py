@@ -6,6 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QSizePolicy
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
@@ -45,6 +46,7 @@ class PresetBox(PresetPicker):
             signal.connect(self._show_preset)
         self._show_preset()
 
+    @override
     def _marks(self) -> dict[Path, str]:
         here, other = self._preset.document, self._preset.other
         if other is None:
@@ -53,6 +55,7 @@ class PresetBox(PresetPicker):
         mine = marks.get(here.path.resolve(), "")
         return {**marks, here.path.resolve(): "".join(sorted(f"{mine}{self._preset.letter}"))}
 
+    @override
     def _take(self, value: Path | str | None, other: bool) -> None:
         if isinstance(value, Path) and value.parent == _RECOGNISER:
             self.recogniser_chosen.emit(value.name)

@@ -6,6 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import recogniser_title, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -151,6 +152,7 @@ class EncoderDialog(QDialog):
         """Get the model over the network."""
         self._do(tr_noop("Downloading the model (145 MB)…"), fetch_whisper)
 
+    @override
     def done(self, result: int) -> None:
         """Close, and leave alone what is still fetched."""
         self._work.close(CLOSE_TIMEOUT)

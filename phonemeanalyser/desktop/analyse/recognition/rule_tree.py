@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QTreeWidgetItem,
     QWidget,
 )
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -61,14 +62,17 @@ class _Delegate(QStyledItemDelegate):
         super().__init__(tree)
         self._tree = tree
 
+    @override
     def createEditor(self, parent: QWidget, _option: QStyleOptionViewItem, _index: Index) -> QWidget:
         return QLineEdit(parent)
 
+    @override
     def setEditorData(self, editor: QWidget, index: Index) -> None:
         if isinstance(editor, QLineEdit):
             editor.setText(f"{index.data(VALUE):g}")
             editor.selectAll()
 
+    @override
     def setModelData(self, editor: QWidget, _model: QAbstractItemModel, index: Index) -> None:
         if isinstance(editor, QLineEdit):
             self._tree.type_limit(index, editor.text())
@@ -327,6 +331,7 @@ class RuleTree(QTreeWidget):
         elif column != NOW and self._rules.can_edit:
             self._offer(item, NAME if item.parent() is None else column)
 
+    @override
     def event(self, event: QEvent) -> bool:
         """Keep keys to itself that mean something else in the menus."""
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent) and self._is_own(event):
@@ -343,6 +348,7 @@ class RuleTree(QTreeWidget):
             return key == Qt.Key.Key_D
         return key in OWN_KEYS
 
+    @override
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Move, duplicate, delete or edit what is chosen; other letters are the page's."""
         key, modifiers = Qt.Key(event.key()), event.modifiers()
@@ -366,6 +372,7 @@ class RuleTree(QTreeWidget):
         else:
             super().keyPressEvent(event)
 
+    @override
     def dropEvent(self, event: QDropEvent) -> None:
         """Move the rule that was dragged to before or behind the one on whose upper or lower half it is dropped."""
         at = event.position().toPoint()

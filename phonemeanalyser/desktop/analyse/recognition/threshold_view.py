@@ -9,6 +9,7 @@ from typing import Any
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPolygonF
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QToolButton, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
@@ -87,8 +88,8 @@ class ThresholdSlider(QWidget):
             self._mark_at = mark
             self.update()
 
+    @override
     def paintEvent(self, _event: Any) -> None:
-        """Paint track, handle and mark."""
         painter = QPainter(self)
         middle, handle = self.height() / 2, self._x_of(self.value)
         left, right = 6.0, self.width() - 6.0
@@ -116,19 +117,20 @@ class ThresholdSlider(QWidget):
         )
         painter.drawPolygon(QPolygonF([QPointF(x, y) for x, y in corners]))
 
+    @override
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Jump to the mouse."""
         self._follow(event)
 
+    @override
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Follow the mouse."""
         if event.buttons() & Qt.MouseButton.LeftButton:
             self._follow(event)
 
+    @override
     def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
-        """End the drag."""
         self.released.emit()
 
+    @override
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Move by a hundredth of the track, with Shift by a tenth of that."""
         if event.key() not in STEPS:
@@ -206,8 +208,8 @@ class ThresholdView(ScrolledDown):
             return None
         return None if deficits is None else float(deficits[0, phoneme])
 
+    @override
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Tell which control is touched."""
         pressed = event.type() == QEvent.Type.MouseButtonPress
         reached = isinstance(event, QFocusEvent) and event.gotFocus() and event.reason() in BY_KEY
         if pressed or reached:

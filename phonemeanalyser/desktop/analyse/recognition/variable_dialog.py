@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog, QFormLayout, QLineEdit, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -53,6 +54,7 @@ class VariableDialog(QDialog):
         kind, source = Kind(self.kind.currentData()), Spectrum(self.source.currentData())
         return Variable(self.name.text().strip().lower(), self.low.value(), self.high.value(), kind, source)
 
+    @override
     def accept(self) -> None:
         """Add the variable; where that is refused, say why and keep what was entered."""
         try:

@@ -6,6 +6,7 @@ from functools import partial
 from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QComboBox, QCompleter, QMenu, QToolButton, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -99,13 +100,13 @@ class VariablePanel(QWidget):
         if self._session.whole.tracks is None:
             self.study.look()
 
+    @override
     def showEvent(self, event: QShowEvent) -> None:
-        """Begin to look."""
         super().showEvent(event)
         self.study.want(True)
 
+    @override
     def hideEvent(self, event: QHideEvent) -> None:
-        """Look no more while it is hidden."""
         super().hideEvent(event)
         self.study.want(False)
 

@@ -7,6 +7,7 @@ import pyqtgraph as pg
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QGraphicsPolygonItem, QLabel, QMenu
+from typing_extensions import override
 
 from phonemeanalyser.desktop.analyse.spectra.spectrum_view import FLOOR_DB, SpectrumView, reading_of
 from phonemeanalyser.desktop.engine_words import tr_engine
@@ -36,8 +37,8 @@ BAND = 46
 class LegendLine(pg.graphicsItems.LegendItem.ItemSample):
     """A curve's line in the legend, which does nothing when it is clicked: the table hides curves."""
 
+    @override
     def mouseClickEvent(self, event: Any) -> None:
-        """Leave the click to the plot."""
         event.ignore()
 
 
@@ -86,11 +87,13 @@ class AveragedView(SpectrumView):
         self._name_curves(current)
 
     @property
+    @override
     def is_empty(self) -> bool:
         """Whether neither a mean nor a curve is drawn."""
         return super().is_empty and not self._curves.shown
 
     @property
+    @override
     def highest(self) -> float:
         """Where the frequency axis ends, Hz: where all curves have ended."""
         ends = [float(curve.frequencies[-1]) + BIN_WIDTH for curve in self._curves.shown]
@@ -113,6 +116,7 @@ class AveragedView(SpectrumView):
             of = f"<p>{tr('Now')}: {now}</p>" if current.n_frames else ""
             self.heading.setToolTip(f"<p>{tr(TIP)}.</p>{of}")
 
+    @override
     def _columns(self) -> dict[str, Float64Array]:
         curves, columns = self._curves.shown, super()._columns()
         finest = max([columns["frequency (Hz)"], *(c.frequencies for c in curves)], key=len)
@@ -121,6 +125,7 @@ class AveragedView(SpectrumView):
         of_curves = {f"{k + 1} {c.name}, amplitude (linear)": c.at(finest) for k, c in enumerate(curves)}
         return {**padded, "frequency (Hz)": finest, **of_curves}
 
+    @override
     def _describe(self, frequency: float, height: float) -> str:
         """Read the mean, or the curve that is nearest."""
         k, nearest, gap = round(frequency / BIN_WIDTH), super()._describe(frequency, height), np.inf
@@ -133,6 +138,7 @@ class AveragedView(SpectrumView):
                 gap, nearest = away, f"{_short(curve.name)}   {reading_of(frequency, float(amplitude[0]))}"
         return nearest
 
+    @override
     def _change_scale(self) -> None:
         super()._change_scale()
         self._draw_curves()
@@ -170,6 +176,7 @@ class AveragedView(SpectrumView):
         self._escape.setEnabled(False)
         self._escape.activated.connect(self.drop_region)
 
+    @override
     def changeEvent(self, event: QEvent) -> None:
         """Have the button that marks a range keep its width: other words on it must not widen the window."""
         super().changeEvent(event)
@@ -234,6 +241,7 @@ class AveragedView(SpectrumView):
                 band.setPolygon(polyline_of(np.append(x, x[::-1]), np.append(upper, lower[::-1])))
         self._place_legend()
 
+    @override
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Lay the legend out for another width."""
         super().resizeEvent(event)

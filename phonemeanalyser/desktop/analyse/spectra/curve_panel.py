@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QToolButton,
     QWidget,
 )
+from typing_extensions import override
 
 from phonemeanalyser.desktop.analyse.spectra.curve_dialogs import CurveDialogs
 from phonemeanalyser.desktop.engine_words import tr_engine
@@ -93,21 +94,22 @@ class CurveList(QTableWidget):
             self.setSelectionMode(mode)
         self._choose()
 
+    @override
     def minimumSizeHint(self) -> QSize:
-        """Ask for the room of three curves."""
         return QSize(240, 92)
 
+    @override
     def sizeHint(self) -> QSize:
         """Ask for the room of all curves, up to a dozen."""
         return QSize(260, 30 + 22 * min(max(self.rowCount(), 3), 12))
 
+    @override
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Give names the room that they need."""
         super().resizeEvent(event)
         self._fit_names()
 
+    @override
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Remove what is chosen."""
         if event.key() in {Qt.Key.Key_Delete, Qt.Key.Key_Backspace}:
             self._curves.remove(self._curves.chosen)
         else:
@@ -178,6 +180,7 @@ class CurvePanel(QWidget):
         self._follow()
         self._tell_work()
 
+    @override
     def showEvent(self, event: QShowEvent) -> None:
         """Compare when it is seen: curves through other filters are measured for that."""
         super().showEvent(event)

@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QImage, QKeyEvent, QMouseEvent, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import format_clock, set_size
@@ -64,8 +65,8 @@ class PositionSlider(QWidget):
             self._shown = shown
             self.update()
 
+    @override
     def paintEvent(self, _event: Any) -> None:
-        """Paint the whole sound, how much of it has been played, marks of time, and the place."""
         painter = QPainter(self)
         try:
             self._paint(painter)
@@ -83,17 +84,17 @@ class PositionSlider(QWidget):
         painter.fillRect(QRectF(x - 1, 0, 2, WAVE_HEIGHT + BAR_HEIGHT), QColor(self._theme.text))
         self._paint_marks(painter)
 
+    @override
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Go there."""
         self._seek(event)
 
+    @override
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Follow the mouse."""
         if event.buttons() & Qt.MouseButton.LeftButton:
             self._seek(event)
 
+    @override
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Go by a second."""
         steps = {Qt.Key.Key_Left: -1.0, Qt.Key.Key_Right: 1.0}
         if event.key() in steps:
             self.sought.emit(max(0.0, self._session.source.position + steps[Qt.Key(event.key())]))

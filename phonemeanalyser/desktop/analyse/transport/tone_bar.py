@@ -6,6 +6,7 @@ from typing import Any
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtWidgets import QSlider, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
@@ -115,6 +116,7 @@ class ToneBar(QWidget):
         box.valueChanged.connect(lambda value: self._edit(name, value))
         return box
 
+    @override
     def changeEvent(self, event: QEvent) -> None:
         """Have the fields of the vowel as wide as they need be, in the style of the window."""
         super().changeEvent(event)

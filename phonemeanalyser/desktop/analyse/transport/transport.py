@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QToolButton,
     QWidget,
 )
+from typing_extensions import override
 
 from phonemeanalyser.desktop.analyse.transport.microphone_bar import MicrophoneBar, RecordButton
 from phonemeanalyser.desktop.analyse.transport.position_slider import PositionSlider
@@ -93,11 +94,12 @@ LEAST_TIME_WIDTH = 112
 class Pages(QStackedWidget):
     """Widgets of which one is seen, and needs room."""
 
+    @override
     def sizeHint(self) -> QSize:
-        """Ask for what the widget that is seen would like."""
         seen = self.currentWidget()
         return seen.sizeHint() if seen else super().sizeHint()
 
+    @override
     def minimumSizeHint(self) -> QSize:
         """Ask for what the widget that is seen needs, and for the height of all."""
         seen, most = self.currentWidget(), super().minimumSizeHint()
@@ -184,11 +186,13 @@ class Transport(Rewrapped):
         self._row = row(*self._first, (self.pages, 1), *self._last, 0, spacing=6)
         self._rows = column(self._row, on=self, margins=(6, 3, 6, 3), spacing=3)
 
+    @override
     def minimumSizeHint(self) -> QSize:
         """Ask for the width of the wider row, when what belongs to the source has one of its own."""
         width = max(self._width_of(*self._first, *self._last), self._width_of(self.pages))
         return QSize(width, super().minimumSizeHint().height())
 
+    @override
     def wrap(self) -> None:
         """Give what belongs to the source a row of its own, where one lacks room, until width or source change."""
         wrapped_for = self.window().width(), self._session.source.kind

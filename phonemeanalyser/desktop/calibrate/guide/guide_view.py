@@ -7,6 +7,7 @@ from typing import Any
 from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeySequence, QPainter, QPen, QShortcut
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.calibrate.guide.guide_model import SOUNDS, Phase
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
@@ -48,8 +49,8 @@ class CountdownRing(QWidget):
         self.setMinimumSize(180, 170)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
+    @override
     def paintEvent(self, _event: Any) -> None:
-        """Paint the ring and the sound."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         side = min(self.width(), self.height()) - RING - 8
@@ -90,8 +91,8 @@ class StepsLine(QWidget):
         self._theme = theme
         self.setFixedHeight(40)
 
+    @override
     def paintEvent(self, _event: Any) -> None:
-        """Paint a cell for each step."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         guide = self._guide

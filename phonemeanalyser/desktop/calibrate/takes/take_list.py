@@ -7,6 +7,7 @@ from typing import Any
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem
+from typing_extensions import override
 
 from phonemeanalyser.desktop.calibrate.takes.takes_model import TakesModel
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
@@ -74,8 +75,8 @@ class TakeListView(QTableWidget):
         if self.chosen is not None:
             self.play_asked.emit(self.chosen)
 
+    @override
     def minimumSizeHint(self) -> QSize:
-        """Ask for the room of three takes."""
         return QSize(200, 96)
 
     def select_take(self, number: int) -> None:
@@ -84,14 +85,15 @@ class TakeListView(QTableWidget):
             if self._number_at(row) == number:
                 self.setCurrentCell(row, 0)
 
+    @override
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Say where there is no take yet."""
         super().paintEvent(event)
         if not self.rowCount():
             painter = QPainter(self.viewport())
             draw_text(painter, self.viewport().rect(), tr("No takes yet"), self._theme.faint, 12, CENTRED)
             painter.end()
 
+    @override
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Play, exclude or delete what is chosen, once however long the key is held; letters are the page's."""
         acts: dict[Qt.Key, Callable[[], object]] = {

@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QImage, QKeyEvent, QMouseEvent, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.calibrate.takes.takes_model import TakesModel
 from phonemeanalyser.desktop.language import tr
@@ -59,8 +60,8 @@ class TakeWaveform(QWidget):
         takes.changed.connect(self._show)
         takes.sound_read.connect(self._show)
 
+    @override
     def paintEvent(self, _event: Any) -> None:
-        """Paint the sound, what counts of it, and how long that is."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(self._theme.base))
         take = self._takes.take(self._takes.selected) if self._takes.selected is not None else None
@@ -80,14 +81,14 @@ class TakeWaveform(QWidget):
         )
         draw_text(painter, QRectF(6, 0, self.width() - 10, HEADING), words, self._theme.text, 10)
 
+    @override
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold of the nearer end."""
         self.setFocus()
         if event.button() == Qt.MouseButton.LeftButton:
             self._drag.press(self._rows(), self.axis, event.position(), self._duration)
 
+    @override
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Move the end that is held."""
         held = self._drag.move(round(self.axis.time_at(event.position().x()), 3))
         if held is None:
             over = self._drag.boundary_at(self._rows(), self.axis, event.position())
@@ -95,13 +96,13 @@ class TakeWaveform(QWidget):
         else:
             self._put(held.boundary, held.seconds)
 
+    @override
     def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
-        """Let what was dragged count."""
         if self._drag.release() is not None and self.ends is not None:
             self.trimmed.emit(*self.ends)
 
+    @override
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Move an end by 10 ms."""
         steps = {Qt.Key.Key_Left: -0.01, Qt.Key.Key_Right: 0.01}
         if event.key() not in steps or self.ends is None:
             super().keyPressEvent(event)

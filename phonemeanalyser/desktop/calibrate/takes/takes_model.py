@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_count
@@ -64,12 +65,14 @@ class TakeEdit(QUndoCommand):
         self._n = n
         self._done = True
 
+    @override
     def undo(self) -> None:
         """Take the project's last change back."""
         self._done = False
         for _ in range(self._n):
             self._takes.undo()
 
+    @override
     def redo(self) -> None:
         """Do it again, but for the first time, when it is pushed."""
         if not self._done:

@@ -6,6 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor, QKeySequence, QPainter, QPaintEvent, QShortcut
 from PySide6.QtWidgets import QGridLayout, QLabel, QLineEdit, QMenu, QSizePolicy, QToolButton, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.takes.take_list import TakeListView
@@ -49,8 +50,8 @@ class PhonemeButton(QToolButton):
             ).format(key=KEYS[phoneme], name=name)
         )
 
+    @override
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Paint the phoneme on its colour, its key in the corner, and how many takes there are."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         colour = QColor(PHONEME_COLOURS[self.phoneme])

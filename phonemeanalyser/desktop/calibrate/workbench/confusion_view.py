@@ -7,6 +7,7 @@ import numpy as np
 from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -64,8 +65,8 @@ class ConfusionView(QWidget):
         width, height = (self.width() - LEFT - 2) / len(TAKEN), (self.height() - TOP - 2) / len(SAID)
         return QRectF(LEFT + column * width, TOP + row * height, width, height)
 
+    @override
     def paintEvent(self, _event: Any) -> None:
-        """Paint headings and cells."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(self._theme.base))
         draw_text(
@@ -126,14 +127,14 @@ class ConfusionView(QWidget):
 
     # -- choosing -----------------------------------------------------------------------------------------
 
+    @override
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Choose a cell."""
         found = self._cell_at(event.position().x(), event.position().y())
         if found is not None and event.button() == Qt.MouseButton.LeftButton:
             self._choose(*found)
 
+    @override
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Choose the cell beside."""
         steps = {Qt.Key.Key_Left: (0, -1), Qt.Key.Key_Right: (0, 1), Qt.Key.Key_Up: (-1, 0), Qt.Key.Key_Down: (1, 0)}
         if event.key() not in steps:
             super().keyPressEvent(event)
@@ -142,8 +143,8 @@ class ConfusionView(QWidget):
         down, right = steps[Qt.Key(event.key())]
         self._choose(min(max(row + down, 0), len(SAID) - 1), min(max(column + right, 0), len(TAKEN) - 1))
 
+    @override
     def event(self, event: Any) -> bool:
-        """Tell what a cell holds when the mouse rests on it."""
         if isinstance(event, QHelpEvent):
             found = self._cell_at(event.pos().x(), event.pos().y())
             if found is not None and self.counts is not None:

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
+from typing_extensions import override
 
 from phonemeanalyser.desktop.calibrate.workbench.workbench_model import WorkbenchModel
 from phonemeanalyser.desktop.engine_words import recogniser_title
@@ -88,6 +89,7 @@ class RuleFinding(FitModel):
     """Finds few rules in the background."""
 
     @property
+    @override
     def why_not(self) -> str:
         """Why no rules can be found now, as a sentence; nothing where they can."""
         return "" if self._workbench.utterances else tr("Record takes or load labelled recordings first.")
@@ -102,6 +104,7 @@ class RuleFinding(FitModel):
 
         self.searching.replace(search, self._take_report)
 
+    @override
     def accept(self) -> None:
         """Recognise with what was found; undo brings the old preset back."""
         if self.report is not None:

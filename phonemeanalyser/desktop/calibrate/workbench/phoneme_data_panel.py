@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QTableWidgetItem,
     QWidget,
 )
+from typing_extensions import override
 
 from phonemeanalyser.desktop.calibrate.workbench.phoneme_data_model import PhonemeDataModel
 from phonemeanalyser.desktop.engine_words import sound_name
@@ -138,6 +139,7 @@ class PhonemeDataPanel(QWidget):
             self._fill_numbers()
         self.refresh()
 
+    @override
     def showEvent(self, event: QShowEvent) -> None:
         """Show what has changed while the table was not seen."""
         super().showEvent(event)
@@ -219,6 +221,7 @@ class PhonemeDataPanel(QWidget):
 
     # -- what the user does -------------------------------------------------------------------------------
 
+    @override
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Take the selected value by Return, or begin to type the number that is selected."""
         is_return = isinstance(event, QKeyEvent) and event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter}

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import Signal
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.talk.drivers.opened_files import OpenedFiles
@@ -139,13 +140,14 @@ class PerformanceModel(OpenedFiles):
 
     # -- what is chosen -----------------------------------------------------------------------------------
 
+    @override
     def open(self, path: Path) -> None:
         """Open a table, in the background, and use it."""
         self.person = ""
         super().open(path)
 
+    @override
     def choose(self, path: Path | None) -> None:
-        """Use a table that was opened before; None for none."""
         self.person = ""
         super().choose(path)
 
@@ -261,6 +263,7 @@ class PerformanceModel(OpenedFiles):
 
     # -- inside -------------------------------------------------------------------------------------------
 
+    @override
     def _take_found(self, known: dict[Path, Any], chosen: Path | None) -> None:
         super()._take_found(known, chosen)
         self._choose_by_language()

@@ -5,6 +5,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.talk.expression.osc_connection import OscConnection
@@ -53,6 +54,7 @@ class ExpressionInput(OscConnection):
         """Whether another program sends an expression."""
         return self.stream is not None and bool(self.stream.names)
 
+    @override
     def _connect(self, address: OscAddress) -> OscExpression:
         return OscExpression(address)
 

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from PySide6.QtCore import Qt, Signal
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.talk.expression.osc_connection import OscConnection
@@ -88,5 +89,6 @@ class OscModel(OscConnection):
         self._expression = expression
         self.follow(self._head_table, self._idle)
 
+    @override
     def _connect(self, address: OscAddress) -> OscMouth:
         return OscMouth(address, self.performer, clock=self._clock, on_failure=self._lost.emit)

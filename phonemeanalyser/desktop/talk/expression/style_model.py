@@ -8,6 +8,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.tasks import tried
@@ -43,10 +44,11 @@ class StyleEdit(QUndoCommand):
         self._styles, self._name, self._run = styles, name, run
         self._before, self._after = styles.edited, after
 
+    @override
     def id(self) -> int:
-        """Return what commands have in common that may continue each other."""
         return ID_OF_STYLES
 
+    @override
     def mergeWith(self, other: QUndoCommand) -> bool:
         """Go on with a slider that is still being dragged."""
         if not isinstance(other, StyleEdit) or (other._name, other._run) != (self._name, self._run):
@@ -55,12 +57,12 @@ class StyleEdit(QUndoCommand):
         self.setObsolete(self._after == self._before)
         return True
 
+    @override
     def redo(self) -> None:
-        """Do it."""
         self.setObsolete(not self._styles.put(self._name, self._after))
 
+    @override
     def undo(self) -> None:
-        """Take it back."""
         self.setObsolete(not self._styles.put(self._name, self._before))
 
 

@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QImage, QOffscreenSurface, QOpenGLContext, QPainter, QSurfaceFormat
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QWidget
+from typing_extensions import override
 
 from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering.camera import Camera
@@ -128,13 +129,13 @@ class GlSurface(QOpenGLWidget):
         self._morph_mesh: MorphMesh | None = None
         self._renderer: _Renderer | None = None
 
+    @override
     def initializeGL(self) -> None:
-        """Begin in a context that is new."""
         self._morph_mesh, self._renderer = None, None
         self.context().aboutToBeDestroyed.connect(self._leave)
 
+    @override
     def paintGL(self) -> None:
-        """Draw the scene as it is now."""
         scene = self._scene()
         if scene is None:
             return
@@ -213,10 +214,11 @@ class PictureSurface(QWidget):
         self._stale = True
         self.update()
 
+    @override
     def resizeEvent(self, _event: Any) -> None:
-        """Draw in the new size."""
         self._stale = True
 
+    @override
     def paintEvent(self, _event: Any) -> None:
         """Draw what is different quickly, and finely once nothing moves any more; else show the same again."""
         fine = not self._stale and self._fine

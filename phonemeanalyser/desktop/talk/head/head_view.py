@@ -7,6 +7,7 @@ from dataclasses import replace
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QContextMenuEvent, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QStackedLayout, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -127,19 +128,19 @@ class HeadView(QWidget):
         if self.surface is not None:
             self.surface.release_gl()
 
+    @override
     def sizeHint(self) -> QSize:
-        """Ask for the shape of a head."""
         return QSize(300, 340)
 
     # -- Qt's events --------------------------------------------------------------------------------------
 
+    @override
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Begin to go round, or to move it."""
         self._from = self._pressed = event.position()
         self.setFocus(Qt.FocusReason.MouseFocusReason)
 
+    @override
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Go on."""
         if self._from is None or self.camera is None:
             return
         step, self._from = event.position() - self._from, event.position()
@@ -150,6 +151,7 @@ class HeadView(QWidget):
         else:
             self.look(camera=self.camera.orbit(-step.x() * PER_PIXEL, step.y() * PER_PIXEL))
 
+    @override
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """End; a right click that moved nothing opens the menu."""
         self._from = None
@@ -157,21 +159,23 @@ class HeadView(QWidget):
         if event.button() == Qt.MouseButton.RightButton and moved <= STILL:
             self.menu.open_at(event.position().toPoint())
 
+    @override
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Open the menu by its key."""
         if event.reason() == QContextMenuEvent.Reason.Keyboard:
             self.menu.open_at(self.rect().center())
 
+    @override
     def mouseDoubleClickEvent(self, _event: QMouseEvent) -> None:
         """Look at the whole head from the front."""
         self.go_home()
 
+    @override
     def wheelEvent(self, event: QWheelEvent) -> None:
-        """Come nearer, or go away."""
         if self.camera is not None:
             self.look(camera=self.camera.zoom(event.angleDelta().y() / PER_NOTCH))
         event.accept()
 
+    @override
     def event(self, event: QEvent) -> bool:
         """Claim the keys that are shortcuts of the window elsewhere."""
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride and self._acts_on(event):
@@ -179,8 +183,8 @@ class HeadView(QWidget):
             return True
         return super().event(event)
 
+    @override
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Move camera and light."""
         if self.camera is None or not self._acts_on(event):
             super().keyPressEvent(event)
             return

@@ -6,6 +6,7 @@ from functools import partial
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QComboBox, QDialog, QDialogButtonBox, QSlider, QTableWidget, QTableWidgetItem, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.head.face_model import FaceModel
@@ -62,8 +63,8 @@ class ShapeBox(QComboBox):
             for name in self._names:
                 self.addItem(name, name)
 
+    @override
     def showPopup(self) -> None:
-        """List all shapes, now that they are wanted."""
         self.fill()
         super().showPopup()
 
@@ -123,19 +124,19 @@ class FaceMappingDialog(QDialog):
         face.changed.connect(self.reject)
         self._fill()
 
+    @override
     def accept(self) -> None:
-        """Hand the mapping over."""
         self._let_go()
         super().accept()
         self.chosen.emit(self.mapping)
 
+    @override
     def reject(self) -> None:
-        """Leave all as it was."""
         self._let_go()
         super().reject()
 
+    @override
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Let the face move again."""
         self._let_go()
         super().closeEvent(event)
 

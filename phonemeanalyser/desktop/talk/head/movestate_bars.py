@@ -5,6 +5,7 @@ import math
 from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import set_size
@@ -59,16 +60,16 @@ class MovestateBars(QWidget):
                 self.update(self._box_of(k).toAlignedRect())
         self._shown = shown
 
+    @override
     def sizeHint(self) -> QSize:
-        """Ask for the height of all rows."""
         return QSize(300, ROW * max(1, self._n_rows) + 2)
 
+    @override
     def minimumSizeHint(self) -> QSize:
-        """Ask for the height of all rows."""
         return QSize(200, self.sizeHint().height())
 
+    @override
     def paintEvent(self, event: QPaintEvent) -> None:
-        """Paint name, bar and number of each that is different."""
         painter = QPainter(self)
         set_size(painter, 11)
         percentages = self._talking.percentages

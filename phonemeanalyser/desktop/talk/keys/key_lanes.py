@@ -8,6 +8,7 @@ import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QContextMenuEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import AT_LEFT, CENTRED, draw_text
@@ -90,10 +91,12 @@ class KeyLanes(QWidget):
         self.setAccessibleName(tr("Keys of blend shapes over time"))
         keys.changed.connect(self._take_change)
 
+    @override
     def sizeHint(self) -> QSize:
         """Return a size at which each lane is as it would like to be."""
         return QSize(400, LANE * max(1, len(self.keys.shapes)))
 
+    @override
     def minimumSizeHint(self) -> QSize:
         """Return a size at which keys can be caught."""
         return QSize(200, LEAST_LANE * max(1, len(self.keys.shapes)))
@@ -125,8 +128,8 @@ class KeyLanes(QWidget):
 
     # -- painting -----------------------------------------------------------------------------------------
 
+    @override
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Paint all curves."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), QColor(self._theme.base))
@@ -191,6 +194,7 @@ class KeyLanes(QWidget):
 
     # -- the user's hand ----------------------------------------------------------------------------------
 
+    @override
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Take a key in the hand; with Shift, begin to mark a range."""
         place = event.position()
@@ -209,6 +213,7 @@ class KeyLanes(QWidget):
                 self._dragged = self.selected, self.keys.layer.curve_of(shape), time, place.y()
         self.update()
 
+    @override
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Move the key along, or the end of the marked range; the head shows it at once."""
         place = event.position()
@@ -224,6 +229,7 @@ class KeyLanes(QWidget):
             near = shape is not None and self._key_at(shape, place) is not None
             self.setCursor(Qt.CursorShape.SizeAllCursor if near else Qt.CursorShape.ArrowCursor)
 
+    @override
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """Let the key go: what was dragged is one change, which can be undone."""
         if event.button() != Qt.MouseButton.LeftButton:
@@ -237,6 +243,7 @@ class KeyLanes(QWidget):
                 self.keys.put(self.keys.layer.with_curve(held.shape, before))
                 self.keys.edit(held.shape, after, tr("move a key"))
 
+    @override
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Add a key where there is none."""
         place = event.position()
@@ -245,6 +252,7 @@ class KeyLanes(QWidget):
         if shape is not None and curve is not None and self._key_at(shape, place) is None:
             self._set(shape, curve, self.axis.time_at(place.x()), _weight_at(place.y(), self.rows()[shape]))
 
+    @override
     def event(self, event: QEvent) -> bool:
         """Claim Shift+Left and Shift+Right, which are shortcuts of the window elsewhere."""
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride and _goes_along(event):
@@ -252,6 +260,7 @@ class KeyLanes(QWidget):
             return True
         return super().event(event)
 
+    @override
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Move, choose or delete the selected key; raise, lower or mark a range."""
         shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
@@ -275,6 +284,7 @@ class KeyLanes(QWidget):
         else:
             act()
 
+    @override
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """Offer what can be done with the key, the range and the curve."""
         shape = self._shape_at(QPointF(event.pos()))

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QUndoCommand
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.export_kinds import FaceInUse
@@ -42,12 +43,12 @@ class KeyEdit(QUndoCommand):
         self._keys, self._sound = keys, keys.sound
         self._before, self._after = keys.layer, after
 
+    @override
     def redo(self) -> None:
-        """Do it."""
         self._put(self._after)
 
+    @override
     def undo(self) -> None:
-        """Take it back."""
         self._put(self._before)
 
     def _put(self, layer: KeyLayer) -> None:

@@ -4,6 +4,7 @@ from functools import partial
 
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QMenu, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr, tr_count
 from phonemeanalyser.desktop.talk.keys.key_lanes import KeyLanes
@@ -49,13 +50,13 @@ class KeyPanel(QWidget):
         """Go along with what is playing."""
         self.lanes.refresh(self._talking.session.source.position)
 
+    @override
     def showEvent(self, event: QShowEvent) -> None:
-        """Have the curves generated."""
         super().showEvent(event)
         self._keys.watch(True)
 
+    @override
     def hideEvent(self, event: QHideEvent) -> None:
-        """Spare the work."""
         super().hideEvent(event)
         self._keys.watch(False)
 

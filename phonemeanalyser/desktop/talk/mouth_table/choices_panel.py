@@ -5,6 +5,7 @@ from pathlib import Path
 from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QSizePolicy, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -46,12 +47,12 @@ class TransitionTimesView(QWidget):
         talking.changed.connect(self._show_times)
         self._show_times()
 
+    @override
     def sizeHint(self) -> QSize:
-        """Ask for three rows."""
         return QSize(300, 3 * ROW + LINE)
 
+    @override
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Paint names, attacks and releases."""
         painter = QPainter(self)
         set_size(painter, 11)
         width = (self.width() - NAMES_WIDTH) / len(SPEAKING)

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QSlider, QToolButton, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -53,8 +54,8 @@ class VisemeButton(QToolButton):
         by_key = tr("Hold to show the mouth shape {shape} instead of the speech (keys: {keys})")
         self.setToolTip((by_key if keys else held).format(keys=", ".join(keys), shape=shown))
 
+    @override
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Paint the shape's name at the left, and its keys at the right."""
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         box, down = self.rect().adjusted(1, 1, -1, -1), self.isDown()

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.talk.expression.expression_model import ExpressionModel
@@ -47,12 +48,12 @@ class TextEdit(QUndoCommand):
         super().__init__(what)
         self._texts, self._before, self._after = texts, texts.text, after
 
+    @override
     def redo(self) -> None:
-        """Do it."""
         self._put(self._before, self._after)
 
+    @override
     def undo(self) -> None:
-        """Take it back."""
         self._put(self._after, self._before)
 
     def _put(self, old: str, new: str) -> None:

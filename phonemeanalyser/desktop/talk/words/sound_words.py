@@ -8,6 +8,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
+from typing_extensions import override
 
 from phonemeengine.batch.work import size_and_time
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
@@ -54,12 +55,12 @@ class WordsEdit(QUndoCommand):
         self._words, self._sound = words, words.sound
         self._before, self._after = words.known, after
 
+    @override
     def redo(self) -> None:
-        """Do it."""
         self._put(self._after)
 
+    @override
     def undo(self) -> None:
-        """Take it back."""
         self._put(self._before)
 
     def _put(self, known: KnownWords) -> None:

@@ -5,6 +5,7 @@ from bisect import bisect_right
 from PySide6.QtCore import QSize, Signal
 from PySide6.QtGui import QColor, QTextCursor
 from PySide6.QtWidgets import QCheckBox, QComboBox, QPlainTextEdit, QTextEdit, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -54,13 +55,13 @@ class TextField(QPlainTextEdit):
         self.setPlaceholderText(tr(INVITATION))
         self.setAccessibleName(tr("Text"))
 
+    @override
     def sizeHint(self) -> QSize:
-        """Ask for four lines."""
         edges = 2 * (self.frameWidth() + round(self.document().documentMargin()))
         return QSize(200, N_LINES * self.fontMetrics().lineSpacing() + edges + 2)
 
+    @override
     def minimumSizeHint(self) -> QSize:
-        """Ask for no width."""
         return QSize(0, self.sizeHint().height())
 
     def mark(self, start: int, end: int, theme: Theme) -> None:

@@ -19,6 +19,7 @@ from PySide6.QtGui import (
     QWheelEvent,
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import CENTRED, draw_text
@@ -180,6 +181,7 @@ class SpeechTimeline(QWidget):
 
     # -- painting -----------------------------------------------------------------------------------------
 
+    @override
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Paint what stands still, which is drawn once, and on it the playhead and the boundary in the hand."""
         painter = QPainter(self)
@@ -262,11 +264,12 @@ class SpeechTimeline(QWidget):
 
     # -- the user's hand ----------------------------------------------------------------------------------
 
+    @override
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Draw anew."""
         super().resizeEvent(event)
         self._touch()
 
+    @override
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom at the pointer; with Shift, or a sideways wheel, scroll."""
         turned = event.angleDelta()
@@ -275,6 +278,7 @@ class SpeechTimeline(QWidget):
         else:
             self.view.zoom(self.axis.time_at(event.position().x()), WHEEL_STEP ** (turned.y() / 120))
 
+    @override
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Take a boundary in the hand, else what is seen, to scroll it."""
         place = event.position()
@@ -283,6 +287,7 @@ class SpeechTimeline(QWidget):
         if self._drag.press(self.rows(), self.axis, place, self.view.duration) is None:
             self._pressed = place, self.view.seen
 
+    @override
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Drag the boundary or what is seen along; show which boundaries can be dragged."""
         place = event.position()
@@ -297,6 +302,7 @@ class SpeechTimeline(QWidget):
             over = self._drag.boundary_at(self.rows(), self.axis, place)
             self.setCursor(Qt.CursorShape.ArrowCursor if over is None else Qt.CursorShape.SplitHCursor)
 
+    @override
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """Let the boundary go; it has moved, unless it is where it was. Else go to what was clicked."""
         if event.button() != Qt.MouseButton.LeftButton:
@@ -311,6 +317,7 @@ class SpeechTimeline(QWidget):
         elif pressed is not None and abs(event.position().x() - pressed[0].x()) <= CLICK:
             self._go_to(event.position())
 
+    @override
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Play the whole recording that a unit is from; rename a word or a phone; change or add a feeling."""
         found, lane = self._span_at(event.position()), self._lane_at(event.position())
@@ -370,6 +377,7 @@ class SpeechTimeline(QWidget):
                 return None if span is None else (number, span)
         return None
 
+    @override
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Go one picture, zoom, or change the word that is chosen."""
         seen = self.view.seen
@@ -391,8 +399,8 @@ class SpeechTimeline(QWidget):
         else:
             act()
 
+    @override
     def event(self, event: QEvent) -> bool:
-        """Tell of the span under the mouse what there is to tell."""
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             found = self._span_at(QPointF(event.pos()))
             tips = () if found is None else self.lanes[found[0]].tips
@@ -401,8 +409,8 @@ class SpeechTimeline(QWidget):
                 return True
         return super().event(event)
 
+    @override
     def leaveEvent(self, _event: QEvent) -> None:
-        """Show the usual cursor elsewhere."""
         self.unsetCursor()
 
     def _columns(self) -> dict[str, Sequence[object]]:

@@ -5,6 +5,7 @@ from pathlib import Path
 from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QComboBox, QFormLayout, QFrame, QLineEdit, QToolButton, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -119,8 +120,8 @@ class VoicePanel(QFrame):
         self.show()
         self.name.setFocus()
 
+    @override
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Close it by Escape."""
         if event.key() == Qt.Key.Key_Escape:
             self.close()
         else:
