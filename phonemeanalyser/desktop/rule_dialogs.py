@@ -188,7 +188,7 @@ def _in_words(before: Agreement, after: Agreement) -> str:
     if math.isnan(before.macro_f1):
         return tr("The loaded sound has no labels that tell.")
     minutes = after.seconds / 60
-    sentence = tr("Macro F1 {before:.1%} → {after:.1%} on {minutes:.1f} min of labelled sound.")
+    sentence = tr("Macro F1 {before:.1%} → {after:.1%} on everything loaded ({minutes:.1f} min).")
     lines = [sentence.format(before=before.macro_f1, after=after.macro_f1, minutes=minutes)]
     gains = {p: gain for p, gain in after.gains_over(before).items() if abs(gain) >= LEAST_CHANGE}
     if not gains:

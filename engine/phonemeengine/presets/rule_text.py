@@ -52,7 +52,7 @@ def rule_lines(preset: Preset, features: Features | None = None) -> list[str]:
             "find some with phonemeanalyser rules"
         )
     labels = rule_labels((*rules, DEFAULT_RULE))
-    faults = rule_faults(rules, preset.thresholds, features)
+    faults = rule_faults(rules, preset.thresholds, *([] if features is None else [features]))
     width = max(map(len, labels))
     lines = []
     for k, (rule, label, fault) in enumerate(zip(rules, labels, faults, strict=False)):

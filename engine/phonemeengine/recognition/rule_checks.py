@@ -24,18 +24,28 @@ class RuleFault(StrEnum):
     UNREACHED = "decides no frame of the loaded sound: earlier rules do"
 
 
-def rule_faults(
-    rules: Sequence[Rule], thresholds: Thresholds, features: Features | None = None
-) -> tuple[RuleFault | None, ...]:
+def rule_faults(rules: Sequence[Rule], thresholds: Thresholds, *sounds: Features) -> tuple[RuleFault | None, ...]:
     """Return what is wrong with each rule; None where it is switched off, or nothing is.
 
     Parameters
     ----------
     rules : in the order in which they apply.
     thresholds : the numbers that conditions name.
-    features : what was measured, to find rules that no frame needs; without it, or where a variable of a rule is not
+    sounds : what was measured, to find rules that no frame needs; without any, or where a variable of a rule is not
         measured, only the rules themselves are looked at. A last rule without conditions takes what is left, if any.
     """
+    found = [_faults_in(rules, thresholds, features) for features in sounds or (None,)]
+    return tuple(_joined(set(of_rule)) for of_rule in zip(*found, strict=True))
+
+
+def _joined(faults: set[RuleFault | None]) -> RuleFault | None:
+    """Return what is wrong with a rule in several sounds together."""
+    if len(faults) == 1:
+        return faults.pop()
+    return RuleFault.UNREACHED if faults == {RuleFault.NEVER, RuleFault.UNREACHED} else None
+
+
+def _faults_in(rules: Sequence[Rule], thresholds: Thresholds, features: Features | None) -> list[RuleFault | None]:
     faults: list[RuleFault | None] = [None] * len(rules)
     earlier: list[Bounds] = []
     decided = np.zeros(0 if features is None else len(features.values), bool)
@@ -52,7 +62,7 @@ def rule_faults(
         elif not bounds and any(later.enabled for later in rules[k + 1 :]):
             faults[k] = faults[k] or RuleFault.ALWAYS
         earlier.append(bounds)
-    return tuple(faults)
+    return faults
 
 
 def _fault_of(bounds: Bounds, earlier: Sequence[Bounds]) -> RuleFault | None:

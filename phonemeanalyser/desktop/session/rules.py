@@ -228,11 +228,16 @@ class RuleModel(QObject):
             queue.close(CLOSE_TIMEOUT)
 
     def _made_trials(self) -> RuleTrials | None:
-        """Return the labelled sound on which changes are tried: what is loaded, else the open file."""
-        labelled = self._usable_labelled()
-        key: object = labelled if labelled is not None else (self._seen.whole.tracks, self._labels.state)
-        if self._trials[0] is not key and self._trials[0] != key:
-            self._trials = key, RuleTrials.of(labelled) if labelled is not None else self._trials_of_file()
+        """Return the labelled sound on which changes are tried: what is loaded, and the open file."""
+        labelled, features, labels = self._usable_labelled(), self._features_of_file(), self._labels.said_frames()
+        key = labelled, None if features is None else self._seen.whole.tracks, self._labels.state
+        if key != self._trials[0]:
+            parts = [] if labelled is None else [(labelled.features(), labelled.labels.phonemes, labelled.edges)]
+            if features is not None and labels is not None and not self._seen.looks_back:
+                n = min(len(features.values), len(labels.phonemes))
+                if np.any(labels.phonemes[:n] != Phoneme.UNIDENTIFIED):
+                    parts.append((features.part(slice(n)), labels.phonemes[:n], np.array([0, n], np.intp)))
+            self._trials = key, RuleTrials.of(parts) if parts else None
         return self._trials[1]
 
     def _usable_labelled(self) -> LabelledFeatures | None:
@@ -241,21 +246,13 @@ class RuleModel(QObject):
             return None
         return labelled
 
-    def _trials_of_file(self) -> RuleTrials | None:
-        features, labels = self._features_of_file(), self._labels.said_frames()
-        if features is None or labels is None or self._seen.looks_back:
-            return None
-        n = min(len(features.values), len(labels.phonemes))
-        if not np.any(labels.phonemes[:n] != Phoneme.UNIDENTIFIED):
-            return None
-        return RuleTrials(features.part(slice(n)), labels.phonemes[:n], np.array([0, n], np.intp))
-
     def _features_of_file(self) -> Features | None:
-        """Return what is measured of the open file, if all of it is."""
-        tracks = self._seen.whole.tracks
+        """Return what is measured of the open file, if all of it is, and it is not among what is loaded."""
+        tracks, sound, labelled = self._seen.whole.tracks, self._seen.sound, self._usable_labelled()
         if tracks is None or not tracks.n_frames or np.any(tracks.states == FrameState.UNKNOWN):
             return None
-        return tracks.features
+        is_loaded = labelled is not None and sound is not None and sound[0] in {u.path for u in labelled.utterances}
+        return None if is_loaded else tracks.features
 
     # -- what is wrong ------------------------------------------------------------------------------------
 
@@ -273,8 +270,9 @@ class RuleModel(QObject):
 
     def _check(self) -> None:
         rules, thresholds, labelled = self._followed or (), self.preset.thresholds, self._usable_labelled()
-        features = self._features_of_file() if labelled is None else labelled.features()
-        self._checking.replace(lambda _progress: rule_faults(rules, thresholds, features), self._take_faults)
+        parts = [self._features_of_file(), None if labelled is None else labelled.features()]
+        known = [part for part in parts if part is not None]
+        self._checking.replace(lambda _progress: rule_faults(rules, thresholds, *known), self._take_faults)
 
     def _take_faults(self, faults: tuple[RuleFault | None, ...]) -> None:
         if len(faults) == len(self._followed or ()) and faults != self.faults:

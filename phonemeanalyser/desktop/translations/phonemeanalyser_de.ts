@@ -5516,8 +5516,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/rule_dialogs.py" />
-            <source>Macro F1 {before:.1%} → {after:.1%} on {minutes:.1f} min of labelled sound.</source>
-            <translation>Makro-F1 {before:.1%} → {after:.1%} auf {minutes:.1f} min beschriftetem Klang.</translation>
+            <source>Macro F1 {before:.1%} → {after:.1%} on everything loaded ({minutes:.1f} min).</source>
+            <translation>Makro-F1 {before:.1%} → {after:.1%} auf allem Geladenen ({minutes:.1f} min).</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
@@ -11778,6 +11778,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
             <source>With Recorded Faces</source>
             <translation>Mit aufgezeichneten Gesichtern</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
+            <source>Without frames of {sounds}, the variables are not sorted by separation.</source>
+            <translation>Ohne Frames von {sounds} sind die Variablen nicht nach Trennung sortiert.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/head/face_model.py" />

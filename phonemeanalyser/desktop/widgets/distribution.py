@@ -21,9 +21,11 @@ from phonemeengine.phonemes import Phoneme
 
 TOP, BOTTOM = 36, 34
 """Pixels above the plot, for the thresholds, and below it, for the axis."""
-WIDE, NARROW = (88, 168), (64, 136)
+WIDE, NARROW = (88, 168), (60, 148)
 """Pixels at its left, for the names, and at its right, for the numbers."""
 NEAR = 6
+TICK_WIDTH = 40
+"""Pixels for each number below the axis, at least."""
 COLUMNS = (tr_noop("min"), tr_noop("median"), tr_noop("max"))
 TAKEN = (
     tr_noop("Smallest {variable} of {sound}: {value}."),
@@ -250,15 +252,16 @@ class DistributionView(QWidget):
 
     def _paint_axis(self, painter: QPainter, distribution: Distribution) -> None:
         bottom = self.height() - BOTTOM
-        for value in _ticks(distribution):
+        for value in _ticks(distribution, min(8, (self.width() - self._left - self._right) // TICK_WIDTH)):
             x = self.x_of(value)
             painter.fillRect(QRectF(x, TOP, 1, bottom - TOP), QColor(self._theme.raised))
             draw_text(painter, QRectF(x - 40, bottom + 2, 80, 14), short(value), self._theme.faint, 10, CENTRED)
         scale = ", " + tr("log scale") if distribution.logarithmic else ""
-        label = QRectF(self._left - 80, bottom + 15, self.width() - self._left - self._right + 160, 16)
+        middle = self._left + (self.width() - self._left - self._right) / 2
+        half = min(middle, self.width() - middle) - 4
         words, unit = (of(distribution.variable) for of in (self._thresholds.words_of, self._thresholds.unit_of))
         text = f"{words} ({tr(unit)}){scale}"
-        draw_text(painter, label, text, self._theme.text, 11, CENTRED)
+        draw_text(painter, QRectF(middle - half, bottom + 15, 2 * half, 16), text, self._theme.text, 11, CENTRED)
         for k, name in enumerate(COLUMNS):
             draw_text(painter, self._cell(k, TOP - 18, 16), tr(name), self._theme.faint, 10, AT_RIGHT)
 
@@ -278,7 +281,8 @@ class DistributionView(QWidget):
         # Two names have a row each; more would lie over one another, and stand beside the sliders anyway.
         named = len(self.lines) <= 2
         text = f"{sign}{short(line.value)}  {tr_engine(line.label)}" if named else short(line.value)
-        width = 150 if named else 40
+        set_size(painter, 10)
+        width = painter.fontMetrics().horizontalAdvance(text) + 4
         box = QRectF(x - width / 2, 1 + 13 * (k % 2), width, 13)
         box.moveLeft(min(max(box.left(), 4.0), self.width() - self._right - width + 4.0))
         draw_text(painter, box, text, self._theme.bad, 10, CENTRED)
@@ -388,12 +392,14 @@ def shortest(value: float) -> str:
     return short(value) if abs(value) >= 100 else f"{value:{'.0e' if small else '.2g'}}".replace("e-0", "e-")
 
 
-def _ticks(distribution: Distribution) -> list[float]:
-    low, high = float(distribution.edges[0]), float(distribution.edges[-1])
+def _ticks(distribution: Distribution, most: int) -> list[float]:
+    """Return round values along the axis, at most about so many."""
+    low, high, most = float(distribution.edges[0]), float(distribution.edges[-1]), max(2, most)
     if distribution.logarithmic:
-        return [10.0**k for k in range(math.ceil(math.log10(low)), math.floor(math.log10(high)) + 1)]
-    step = 10 ** math.floor(math.log10((high - low) / 4))
-    step *= next(m for m in (1, 2, 5, 10) if (high - low) / (m * step) <= 8)
+        first, last = math.ceil(math.log10(low)), math.floor(math.log10(high))
+        return [10.0**k for k in range(first, last + 1, math.ceil((last - first + 1) / most))]
+    step = 10 ** math.floor(math.log10((high - low) / most))
+    step *= next(m for m in (1, 2, 5, 10) if (high - low) / (m * step) <= most)
     return [k * step for k in range(math.ceil(low / step), math.floor(high / step) + 1)]
 
 

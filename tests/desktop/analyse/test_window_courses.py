@@ -209,6 +209,13 @@ def test_the_variable_that_separates_two_sounds_best_comes_first(desktop, window
     assert "energy 3768–5168 Hz  ·  m_s1" in " ".join(panel.variable.itemText(k) for k in range(len(offered)))
 
 
+def test_phonemes_that_the_labels_lack_are_named_where_they_were_to_sort_by(window, qtbot):
+    panel = window.analysis.variable
+    panel.one.setCurrentIndex(panel.one.findData(Phoneme.O))
+    found(window, qtbot)
+    assert panel.about.text() == "Without frames of o, the variables are not sorted by separation."
+
+
 def test_typing_finds_a_variable_by_what_it_measures(window):
     completer = window.analysis.variable.variable.completer()
     completer.setCompletionPrefix("peak 1077")

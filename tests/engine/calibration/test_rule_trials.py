@@ -61,3 +61,20 @@ def test_a_rule_that_is_off_recognises_nothing(values):
     both = with_rule(PRESET, 0, Rule(Phoneme.A, ()))
     assert tried.agreement(both).accuracy == 1
     assert tried.agreement(with_rule_off(both, 0)).accuracy == 0
+
+
+def test_what_is_tried_on_parts_of_sound_is_as_on_the_whole(values):
+    truth = np.where(values[:, 0] > 0.5, Phoneme.A, Phoneme.O).astype(np.uint8)
+    features = Features(NAMES, values.astype(np.float32))
+    turned = Features(("volume", "pitch", "energy"), features.values[:, [1, 1, 0]])
+    first, rest = slice(1500), slice(1500, None)
+    parts = RuleTrials.of(
+        [
+            (features.part(first), truth[first], np.array([0, 700, 1500])),
+            (turned.part(rest), truth[rest], np.array([0, 2500])),
+        ]
+    )
+    preset = with_rule(PRESET, 0, Rule(Phoneme.A, (Condition("energy", ">", limit=0.4),)))
+    assert parts.features.names == NAMES
+    counts = [tried.agreement(preset).counts.tolist() for tried in (parts, trials(truth, values))]
+    assert counts[0] == counts[1]

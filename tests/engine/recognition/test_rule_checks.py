@@ -20,7 +20,7 @@ def rule(*words: str, on: bool = True) -> Rule:
 
 
 def faults(*rules: Rule, features: Features | None = GRID) -> tuple[RuleFault | None, ...]:
-    return rule_faults(rules, Thresholds(), features)
+    return rule_faults(rules, Thresholds(), *([] if features is None else [features]))
 
 
 def test_limits_that_contradict_each_other_are_found_without_sound():
@@ -43,6 +43,14 @@ def test_several_rules_together_may_leave_nothing_to_a_later_one():
     assert faults(rule("x > 4"), rule("x < 6"), rule("y > 3"), REST) == (
         None, None, RuleFault.UNREACHED, None,
     )  # fmt: skip
+
+
+def test_of_several_sounds_a_rule_is_of_use_if_it_is_in_one():
+    rules = rule("x > 8"), rule("x > 4", "y < 5"), rule("y > 20"), REST
+    low, high = (Features(GRID.names, GRID.values[part]) for part in (GRID.values[:, 0] < 4, GRID.values[:, 0] > 8))
+    assert rule_faults(rules, Thresholds(), low)[:3] == (RuleFault.NEVER,) * 3
+    assert rule_faults(rules, Thresholds(), high)[:3] == (RuleFault.ALWAYS, RuleFault.UNREACHED, RuleFault.NEVER)
+    assert rule_faults(rules, Thresholds(), low, high)[:3] == (None, RuleFault.UNREACHED, RuleFault.NEVER)
 
 
 def test_what_is_switched_off_is_neither_wrong_nor_in_the_way():

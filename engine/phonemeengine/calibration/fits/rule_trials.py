@@ -1,5 +1,6 @@
 """Try changes of rules on labelled frames before they are made: which limit is best, and what that gains."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -13,7 +14,6 @@ from phonemeengine.calibration.scores.scoring import (
     confusion_of,
     macro_f1_of,
 )
-from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.calibration.workbench.retuner import Retuner
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
@@ -38,9 +38,14 @@ class RuleTrials:
         self._retuner = Retuner(values, np.full(len(truth), Phoneme.UNIDENTIFIED, np.uint8), None, edges)
 
     @classmethod
-    def of(cls, labelled: LabelledFeatures) -> "RuleTrials":
-        """Return trials on the recordings of a workbench."""
-        return cls(labelled.features(), labelled.labels.phonemes, labelled.edges)
+    def of(cls, parts: Sequence[tuple[Features, UInt8Array, IndexArray]]) -> "RuleTrials":
+        """Return trials on parts of labelled sound, as the parameters; what not all have measured is left out."""
+        names = tuple(n for n in parts[0][0].names if all(n in features.names for features, _, _ in parts))
+        values = np.concatenate([np.stack([f[n] for n in names], axis=1) for f, _, _ in parts])
+        starts = np.cumsum([0, *(edges[-1] for _, _, edges in parts)])
+        edges = np.concatenate([e[:-1] + start for (_, _, e), start in zip(parts, starts, strict=False)])
+        truth = np.concatenate([truth for _, truth, _ in parts])
+        return cls(Features(names, values), truth, np.append(edges, starts[-1]))
 
     def agreement(self, preset: Preset) -> Agreement:
         """Return how a preset with rules agrees with the labels, after the statistics."""

@@ -33,7 +33,7 @@ from phonemeengine.recognition.rules import DEFAULT_RULE, Condition, Rule, rule_
 
 HEADINGS = (tr_noop("Rule"), "", tr_noop("Limit"), tr_noop("Now"))
 NAME, SIGN, LIMIT, NOW = range(4)
-WIDTHS = (0, 26, 62, 62)
+WIDTHS = (0, 22, 70, 62)
 """Of the columns, pixels; 0 takes what is left."""
 OWN_KEYS = {
     Qt.Key.Key_F2, Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Delete, Qt.Key.Key_Backspace, Qt.Key.Key_Space,

@@ -37,6 +37,7 @@ OFFERED = (Scope.WHOLE, Scope.SEEN, Scope.SELECTION)
 ROWS = {"seen": SCOPES[Scope.SEEN], "selection": SCOPES[Scope.SELECTION], "clear": tr_noop("Since Clear")}
 NOTHING_SELECTED = tr_noop("Nothing is selected. Shift+drag over the file to select a segment.")
 NOTHING_SAID = tr_noop("No certain label lies in this part of the recording.")
+NOTHING_TO_SORT_BY = tr_noop("Without frames of {sounds}, the variables are not sorted by separation.")
 NOTHING_MEASURED = tr_noop("Not measured yet: open a file, or play something.")
 
 
@@ -127,7 +128,9 @@ class VariablePanel(QWidget):
         numbers = grid(across=4, down=1)
         numbers.setColumnStretch(0, 1)
         for k, words in enumerate(COLUMNS):
-            numbers.addWidget(label(tr(words)), 0, k + 1, Qt.AlignmentFlag.AlignRight)
+            heading = label(tr(words))
+            heading.setContentsMargins(0, 0, 8, 0)  # above the letters of the buttons
+            numbers.addWidget(heading, 0, k + 1, Qt.AlignmentFlag.AlignRight)
         for at, name in enumerate(ROWS, 1):
             numbers.addWidget(self._of[name], at, 0)
             for k in range(len(COLUMNS)):
@@ -215,9 +218,14 @@ class VariablePanel(QWidget):
         self._show_trouble()
 
     def _show_trouble(self) -> None:
-        """Say why the variable reads nothing, where it does."""
-        settings, mine = self._preset.in_force.settings, self._preset.preset.variables
-        self.about.setText(tr_engine(why_unmeasured(self._courses.chosen, settings, mine)))
+        """Say why the variable reads nothing, or why the variables are not sorted, where that is so."""
+        settings, mine, found = self._preset.in_force.settings, self._preset.preset.variables, self.study.found
+        words = tr_engine(why_unmeasured(self._courses.chosen, settings, mine))
+        spreads = () if found.distribution is None else found.distribution.spreads
+        lacking = [sound_name(p) for p in self.study.pair or () if p not in spreads]
+        if spreads and found.known == 1 and lacking and not words:
+            words = tr(NOTHING_TO_SORT_BY).format(sounds=", ".join(lacking))
+        self.about.setText(words)
         self.about.setVisible(bool(self.about.text()))
 
     # -- what is found ------------------------------------------------------------------------------------
@@ -235,6 +243,7 @@ class VariablePanel(QWidget):
         self.distribution.show_distribution(found.distribution, tr(NOTHING_SELECTED if nothing_selected else empty))
         self.distribution.choose_line(self._courses.control)
         self._list_variables()
+        self._show_trouble()
 
     def _show_row(self, name: str, extremes: Extremes | None) -> None:
         variable = self._courses.lines.words_of(self._courses.chosen)
