@@ -1,6 +1,7 @@
 """Rules of the project that a look at the source can check: no patched modules, and no sleeps."""
 
 import ast
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -10,6 +11,9 @@ from tests.conftest import ROOT
 
 PATCHES = {"monkeypatch.setattr", "patch.setattr", "mock.patch", "mock.patch.object", "patch.object", "mocker.patch"}
 SLEEPS = {"time.sleep", "sleep", "asyncio.sleep", "qtbot.wait", "QTest.qWait", "QTest.qSleep"}
+PRIVATE = re.compile(r"(?<!\bself)(?<!\bcls)(?<!\bos)(?<![\"/])\._(?!replace\b)[a-z]\w*|import .*\b_[a-z]")
+MOST_PRIVATE = 75
+"""Lines of tests that use a private name of something else; may only fall."""
 WAITING = ROOT / "tests" / "waiting.py"
 """Where waiting has its one home."""
 
@@ -75,6 +79,19 @@ def test_tests_patch_nothing_and_wait_in_one_place() -> None:
     }
     assert len(found) > 300
     assert {path: lines for path, lines in found.items() if lines} == {}
+
+
+def private_uses(source: str) -> list[str]:
+    return [line.strip() for line in source.splitlines() if PRIVATE.search(line)]
+
+
+def test_hardly_a_test_uses_a_private_name() -> None:
+    assert private_uses("self._one\npoint._replace(x=1)\nos._exit(1)\nplayer._thread\nfrom a import b, _c") == [
+        "player._thread",
+        "from a import b, _c",
+    ]
+    found = [line for path, source in sources("tests") if path != Path(__file__) for line in private_uses(source)]
+    assert len(found) <= MOST_PRIVATE, found
 
 
 def test_types_are_not_imported_apart() -> None:

@@ -187,7 +187,7 @@ def listen(
     """
     chosen_input(choice, devices())
     feeling = FeelingEstimator()
-    changes = _Changes(_as_json if kind == "json" else _as_text)
+    changes = ChangePrinter(json_line if kind == "json" else text_line)
     with _sending(osc) as performer, _quiet_libraries(), ended_by_signals():
         follower, face = (None, None) if network is None else (FaceFollower(network), FaceFrames(network))
         if performer is not None:
@@ -278,7 +278,7 @@ def _sending(osc: OscSettings | None) -> Iterator[Performer | None]:
             print(f"phonemeanalyser: {mouth.failure}", file=sys.stderr)
 
 
-class _Changes:
+class ChangePrinter:
     """Prints a line whenever the phoneme is another."""
 
     def __init__(self, line_of: Callable[[float, str, float, float | None, float], str]) -> None:
@@ -300,12 +300,14 @@ class _Changes:
                 sys.stdout.flush()
 
 
-def _as_text(time_s: float, phoneme: str, intensity: float, confidence: float | None, _latency_ms: float) -> str:
+def text_line(time_s: float, phoneme: str, intensity: float, confidence: float | None, _latency_ms: float) -> str:
+    """Return a reading as a line for people."""
     sure = "" if confidence is None else f"  {100 * confidence:3.0f} % confidence"
     return f"{time_s:8.2f} s  {phoneme:<12}  {intensity:.2f}{sure}"
 
 
-def _as_json(time_s: float, phoneme: str, intensity: float, confidence: float | None, latency_ms: float) -> str:
+def json_line(time_s: float, phoneme: str, intensity: float, confidence: float | None, latency_ms: float) -> str:
+    """Return a reading as a line of JSON."""
     values = {"time_s": round(time_s, 2), "phoneme": phoneme, "intensity": round(intensity, 3)}
     sure = None if confidence is None else round(confidence, 3)
     return json.dumps(values | {"confidence": sure, "latency_ms": round(latency_ms, 1)})

@@ -37,10 +37,11 @@ def run(options: argparse.Namespace) -> int:
             print(f"{phoneme.label:<12}  {n:4}")
         size = sum(project.path_of(take).stat().st_size for take in project.deleted)
         print(f"{len(project.takes)} takes, and {len(project.deleted)} deleted ones of {size / 1e6:.1f} MB")
-        return _empty(project, asks=not options.yes) if options.empty_deleted and project.deleted else 0
+        return empty_deleted(project, asks=not options.yes) if options.empty_deleted and project.deleted else 0
 
 
-def _empty(project: TakeProject, *, asks: bool, ask: Callable[[str], str] = input) -> int:
+def empty_deleted(project: TakeProject, *, asks: bool, ask: Callable[[str], str] = input) -> int:
+    """Remove the deleted takes for ever, once the user agrees where it asks; returns the exit status."""
     if asks and ask("Remove the deleted takes for ever? [y/N] ").strip().lower() not in {"y", "yes"}:
         return 1
     print(f"{project.empty_deleted()} deleted takes are removed")

@@ -227,6 +227,10 @@ class ExportDialog(QDialog):
             self._asker.remember("export", folder)
         elif self.choices.is_text:
             return  # a text lies nowhere, so that nothing can go beside it
+        self.write_into(folder)
+
+    def write_into(self, folder: Path | None) -> None:
+        """Have the files written into a folder; None for beside each sound."""
         self._folder = folder
         self.folder.setText(str(folder or tr(BESIDE)))
         self._show_files()

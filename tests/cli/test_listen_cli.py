@@ -16,7 +16,7 @@ import pytest
 import soundfile
 
 from phonemeanalyser.cli import listen as listening
-from phonemeanalyser.cli.listen import _as_json, _as_text, _Changes
+from phonemeanalyser.cli.listen import ChangePrinter, json_line, text_line
 from phonemeanalyser.cli.main import main
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.errors import RecordingError
@@ -133,7 +133,7 @@ def expected_confidences() -> list[float]:
 
 @pytest.mark.parametrize("n", [1, 7, 1000])
 def test_each_change_of_phoneme_is_a_line_however_the_frames_come(n: int, capsys: pytest.CaptureFixture[str]) -> None:
-    whole, changes = offline(SPEECH, PRESET), _Changes(_as_json)
+    whole, changes = offline(SPEECH, PRESET), ChangePrinter(json_line)
     for k in range(0, len(whole), n):
         changes.follow(whole.part(slice(k, k + n)))
     lines = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
@@ -153,7 +153,7 @@ def test_the_latency_of_a_line_is_the_age_of_its_first_frame(capsys: pytest.Capt
         def time_of(self, frame: int) -> float:
             return frame / 100
 
-    whole, changes = offline(SPEECH, PRESET), _Changes(_as_json)
+    whole, changes = offline(SPEECH, PRESET), ChangePrinter(json_line)
     changes.listener = Aged()  # type: ignore[assignment]
     changes.follow(whole)
     for line in map(json.loads, capsys.readouterr().out.splitlines()):
@@ -161,7 +161,7 @@ def test_the_latency_of_a_line_is_the_age_of_its_first_frame(capsys: pytest.Capt
 
 
 def test_lines_of_text_have_time_phoneme_and_intensity_in_columns(capsys: pytest.CaptureFixture[str]) -> None:
-    _Changes(_as_text).follow(offline(SPEECH, PRESET))
+    ChangePrinter(text_line).follow(offline(SPEECH, PRESET))
     lines = capsys.readouterr().out.splitlines()
     words = [line.split() for line in lines]
     assert [(float(w[0]), w[1], w[2]) for w in words] == [(t, "s", p) for t, p, _ in expected_changes()]
@@ -172,8 +172,8 @@ def test_lines_of_text_have_time_phoneme_and_intensity_in_columns(capsys: pytest
 
 
 def test_how_sure_it_is_is_not_said_where_nobody_measured_it() -> None:
-    assert _as_text(1.0, "a", 0.5, None, 40.0).split() == ["1.00", "s", "a", "0.50"]
-    assert json.loads(_as_json(1.0, "a", 0.5, None, 40.0))["confidence"] is None
+    assert text_line(1.0, "a", 0.5, None, 40.0).split() == ["1.00", "s", "a", "0.50"]
+    assert json.loads(json_line(1.0, "a", 0.5, None, 40.0))["confidence"] is None
 
 
 # -- whole commands -------------------------------------------------------------------------------------------

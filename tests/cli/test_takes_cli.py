@@ -39,7 +39,7 @@ def test_what_there_is_is_counted_by_phoneme(folder: Path, capsys: pytest.Captur
 @pytest.mark.parametrize(("answer", "code", "left"), [("y", 0, 2), ("YES", 0, 2), ("", 1, 3), ("no", 1, 3)])
 def test_deleted_takes_go_for_ever_if_the_user_says_yes(folder: Path, answer: str, code: int, left: int) -> None:
     with TakeProject(folder) as project:
-        assert takes._empty(project, asks=True, ask=lambda _question: answer) == code
+        assert takes.empty_deleted(project, asks=True, ask=lambda _question: answer) == code
     assert len(sounds_in(folder)) == left
     with TakeProject(folder) as project:
         assert len(project.deleted) == left - 2

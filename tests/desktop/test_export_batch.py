@@ -30,7 +30,7 @@ def exported(desktop, folder, out, qtbot):
     settings = QSettings(str(out.with_suffix(".ini")), QSettings.Format.IniFormat)
     dialog = ExportDialog(PRESET, Channel.MIX, [folder], settings, desktop.window)
     dialog.choices.kind.setCurrentIndex(dialog.choices.kind.findData(KIND))
-    dialog._folder = out
+    dialog.write_into(out)
     with qtbot.waitSignal(dialog.queue.finished):
         QTest.mouseClick(dialog.start, LEFT)
     jobs = dialog.queue.jobs

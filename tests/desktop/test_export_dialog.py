@@ -281,7 +281,7 @@ def test_a_text_in_hand_is_exported_as_its_voice_says_it(desktop, qtbot, tmp_pat
     assert cells(dialog, 0)[0] == "Text on the Talk page"
     assert not dialog.choices.timing.isVisible()
     assert dialog.choices.kind.findData("phonemes-csv") < 0
-    dialog._folder = tmp_path
+    dialog.write_into(tmp_path)
     choose(dialog, "livelink-csv")
     with qtbot.waitSignal(dialog.queue.previewed):
         QTest.mouseClick(dialog.look, LEFT)
@@ -316,7 +316,7 @@ def test_the_menu_and_a_dropped_folder_open_it(desktop, qtbot, folder):
 def test_where_nothing_can_be_written_it_is_said(dialog, folder, qtbot):
     blocked = folder / "blocked"
     blocked.write_text("a file, no folder")
-    dialog._folder = Path(blocked)
+    dialog.write_into(Path(blocked))
     choose(dialog, "phonemes-csv")
     with qtbot.waitSignal(dialog.queue.finished):
         QTest.mouseClick(dialog.start, LEFT)
@@ -393,7 +393,7 @@ def test_better_work_of_the_command_line_is_not_replaced_unasked(dialog, folder,
 
 
 def test_the_same_export_into_a_folder_is_not_asked_about_and_another_one_is(dialog, folder, qtbot, tmp_path):
-    dialog._folder = tmp_path / "out"
+    dialog.write_into(tmp_path / "out")
     choose(dialog, "rhubarb-tsv")
     for told in ("2 done", "2 already done"):
         with qtbot.waitSignal(dialog.queue.finished):

@@ -22,7 +22,7 @@ from phonemeanalyser.desktop.engine_words import SENTENCES, SPOKEN, sound_name, 
 from phonemeanalyser.desktop.language import LANGUAGES as LANGUAGES_OF_WINDOW
 from phonemeanalyser.desktop.language import TRANSLATIONS, language_of, tr, tr_amid, tr_count, use_language
 from phonemeanalyser.desktop.session.sources import SourceKind
-from phonemeanalyser.desktop.talk.words.text_panel import _short
+from phonemeanalyser.desktop.talk.words.text_panel import short_name
 from phonemeanalyser.desktop.talk.words.voice_model import installed
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.output import ClockOutput
@@ -180,7 +180,9 @@ def names_of_others() -> set[str]:
             named |= {group.title} if group.title in BUILT_IN_NAMES else set()
             named |= {name for control in group.controls for name in (control.name, control.label)}
     return (
-        named | set(installed().voices) | {_short(language.name) for language in installed().languages} - set(SPOKEN)
+        named
+        | set(installed().voices)
+        | {short_name(language.name) for language in installed().languages} - set(SPOKEN)
     )
 
 

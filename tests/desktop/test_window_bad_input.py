@@ -141,10 +141,10 @@ def test_a_thousand_tiers_leave_the_sonagram_its_room(desktop, qtbot, sound):
     labels.show(range(1000), 0)
     qtbot.waitUntil(lambda: not desktop.session.busy)
     view.repaint()
-    sonagram = view._layout.rows()[0]
+    sonagram = view.file_layout.rows()[0]
     assert sonagram.height() >= view.height() / 5
     assert sonagram.bottom() < view.height()
-    assert max(row.bottom() for row in view._layout.label_rows().values()) < view.height()
+    assert max(row.bottom() for row in view.file_layout.label_rows().values()) < view.height()
     QTest.mouseClick(view, LEFT, pos=QPoint(view.width() // 2, view.height() // 2))
 
 
@@ -182,7 +182,7 @@ def exporting(desktop, qtbot, tmp_path: Path) -> ExportDialog:
 
 
 def test_an_export_where_nobody_may_write_is_one_sentence_each(exporting, qtbot):
-    exporting._folder = Path("/proc/nowhere")
+    exporting.write_into(Path("/proc/nowhere"))
     with qtbot.waitSignal(exporting.queue.finished):
         QTest.mouseClick(exporting.start, LEFT)
     assert [job.state for job in exporting.queue.jobs] == [ExportState.FAILED] * 2

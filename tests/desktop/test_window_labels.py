@@ -36,8 +36,8 @@ def window(desktop, qtbot, tmp_path):
 
 
 def place(view, tier, seconds):
-    row = view._layout.label_rows()[tier]
-    return QPoint(round(view._layout.x_of(seconds)), round(row.center().y()))
+    row = view.file_layout.label_rows()[tier]
+    return QPoint(round(view.file_layout.x_of(seconds)), round(row.center().y()))
 
 
 def send(view, kind, at, modifier):
@@ -48,11 +48,11 @@ def send(view, kind, at, modifier):
 
 def test_lanes_are_painted_under_the_recognised_phonemes(window):
     view = window.analysis.file.view
-    rows = view._layout.label_rows()
+    rows = view.file_layout.label_rows()
     assert list(rows) == [0, 1]
-    assert view._layout.rows()[1].bottom() < rows[0].top() < rows[1].top() < view._layout.rows()[2].top()
+    assert view.file_layout.rows()[1].bottom() < rows[0].top() < rows[1].top() < view.file_layout.rows()[2].top()
     picture = view.grab().toImage()
-    edge = round(view._layout.x_of(1.0))
+    edge = round(view.file_layout.x_of(1.0))
     y = round(rows[0].top()) + 3
     assert picture.pixel(edge, y) != picture.pixel(edge + 5, y)
 
@@ -128,7 +128,7 @@ def test_a_dragged_boundary_snaps_to_other_tiers_and_with_ctrl_it_does_not(deskt
     start, near = place(view, 0, 1.0), place(view, 0, 1.25) - QPoint(4, 0)
     for ctrl, expected in (
         (Qt.KeyboardModifier.NoModifier, 1.25),
-        (Qt.KeyboardModifier.ControlModifier, view._layout.time_at(near.x())),
+        (Qt.KeyboardModifier.ControlModifier, view.file_layout.time_at(near.x())),
     ):
         send(view, QEvent.Type.MouseButtonPress, start, ctrl)
         send(view, QEvent.Type.MouseMove, near, ctrl)
@@ -183,10 +183,10 @@ def test_no_tier_is_shown_twice_and_doubt_is_hatched_and_explained(desktop, wind
     view, labels = window.analysis.file.view, desktop.session.labels
     spoken = [Lane(name) for name in ("Words", "Syllables", "Phones", "Units")]
     view.show_spoken(spoken)
-    assert [lane.name for lane in view._layout.spoken_shown()] == ["Units"]
+    assert [lane.name for lane in view.file_layout.spoken_shown()] == ["Units"]
     labels.put(labels.state._replace(tiers=(Tier("phones", (RawLabel(0.5, 1.0, "aɪ", ""),)),), shown=(0,)))
-    assert [lane.name for lane in view._layout.spoken_shown()] == ["Words", "Syllables", "Units"]
-    ((_, lane),) = view._layout.label_lanes()
+    assert [lane.name for lane in view.file_layout.spoken_shown()] == ["Words", "Syllables", "Units"]
+    ((_, lane),) = view.file_layout.label_lanes()
     assert lane.doubtful == {0}
     assert "diphthong" in lane.tips[0]
 

@@ -27,7 +27,7 @@ def test_without_a_second_preset_the_key_says_so(desktop, window):
     press(window, Qt.Key.Key_X)
     assert window.banner.label.text() == NO_SECOND
     assert desktop.preset.letter == "A"
-    assert window.analysis.file.view._layout.second_row() is None
+    assert window.analysis.file.view.file_layout.second_row() is None
 
 
 def test_two_presets_are_seen_and_switched(desktop, window, qtbot):
@@ -42,8 +42,8 @@ def test_two_presets_are_seen_and_switched(desktop, window, qtbot):
         f"A: Thesis and B: Learned recognise different phonemes in {100 * expected.share:.1f} % of the visible frames"
     )
     assert panel.differs.toolTip() == said
-    row = panel.view._layout.second_row()
-    assert row.top() > panel.view._layout.rows()[1].bottom()
+    row = panel.view.file_layout.second_row()
+    assert row.top() > panel.view.file_layout.rows()[1].bottom()
     kept = first.phonemes.copy()
     press(window, Qt.Key.Key_X)
     assert session.whole.tracks is other

@@ -64,14 +64,14 @@ def test_a_process_that_stays_at_one_file_is_ended(tmp_path: Path):
     now = tmp_path / "now"
     now.write_bytes(b"%12d" % 7)
     process = subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE)
-    assert running._watch(process, now, lambda _n: None, patience=0.3)
+    assert running.watch(process, now, lambda _n: None, patience=0.3)
     process.stdin.close()
     assert process.returncode is not None
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the limit is the system's")
 def test_memory_beyond_200_mb_is_refused_by_the_system():
-    program = "from tools.fuzz.reading import _limit_memory; assert _limit_memory(); bytearray(210 << 20)"
+    program = "from tools.fuzz.reading import limit_memory; assert limit_memory(); bytearray(210 << 20)"
     done = subprocess.run(
         [sys.executable, "-c", program], cwd=running.ROOT, capture_output=True, text=True, check=False
     )

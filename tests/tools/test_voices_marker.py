@@ -6,7 +6,7 @@ import struct
 import numpy as np
 import pytest
 
-from tools.voices.marker import RHVOICE, _pulses, code_of, marker_file, segments_marked
+from tools.voices.marker import RHVOICE, code_of, marker_file, pulses, segments_marked
 
 PHONES = ["aa", "b", "pau", "s", "m"]
 VOICE = (
@@ -43,13 +43,13 @@ def test_a_marker_neither_smooths_nor_varies() -> None:
 
 def test_phones_and_their_times_are_read_off_a_marked_sound() -> None:
     spoken = [("pau", 6), ("s", 7), ("aa", 12), ("m", 5), ("pau", 9)]
-    frames = [_pulses(*code_of(PHONES.index(name)), RHVOICE) for name, count in spoken for _ in range(count)]
+    frames = [pulses(*code_of(PHONES.index(name)), RHVOICE) for name, count in spoken for _ in range(count)]
     segments = segments_marked(0.37 * np.concatenate(frames), PHONES)
     assert [(segment.phone, round((segment.end - segment.start) / 0.005)) for segment in segments] == spoken
 
 
 def test_a_marked_sound_is_read_though_each_phone_glides_in_for_a_frame() -> None:
-    one, other = (_pulses(*code_of(PHONES.index(name)), RHVOICE) for name in ("pau", "m"))
+    one, other = (pulses(*code_of(PHONES.index(name)), RHVOICE) for name in ("pau", "m"))
     glide = (one + other) / 2
     segments = segments_marked(np.concatenate([*[one] * 6, glide, *[other] * 5]), PHONES)
     assert [(segment.phone, segment.start, segment.end) for segment in segments] == [
@@ -59,7 +59,7 @@ def test_a_marked_sound_is_read_though_each_phone_glides_in_for_a_frame() -> Non
 
 
 def test_a_sound_without_marks_is_refused() -> None:
-    marks = [_pulses(*code_of(2), RHVOICE)] * 6
+    marks = [pulses(*code_of(2), RHVOICE)] * 6
     noise = np.random.default_rng(1).normal(0, 1, 6 * 120)
     with pytest.raises(ValueError, match="fit no phone"):
         segments_marked(np.concatenate([*marks, noise, *marks]), PHONES)

@@ -26,7 +26,7 @@ def main() -> None:
     every = kinds(folder)
     for kind in every.values():
         failure_of(kind, kind.good[0])  # imports happen now
-    limited = _limit_memory()
+    limited = limit_memory()
     if not limited:
         tracemalloc.start()
     with (folder / "now").open("r+b", buffering=0) as now:
@@ -62,7 +62,7 @@ def failure_of(kind: Kind, content: bytes) -> str:
     return ""
 
 
-def _limit_memory() -> bool:
+def limit_memory() -> bool:
     """Let the system refuse more memory, where it can."""
     try:
         import resource

@@ -44,7 +44,7 @@ def _run_on(begin: int, end: int, seed: str, failures: list[Failure], told: Call
         words = [sys.executable, "-m", "tools.fuzz.reading", folder, seed, str(begin), str(end)]
         with errors.open("wb") as said, (Path(folder) / "found").open("w+", encoding="utf-8") as found:
             process = subprocess.Popen(words, cwd=ROOT, stdout=found, stderr=said)
-            hung = _watch(process, now, told)
+            hung = watch(process, now, told)
             found.seek(0)
             failures += [Failure(*json.loads(line)) for line in found if line.endswith("\n")]
         number = int(now.read_bytes())
@@ -56,9 +56,7 @@ def _run_on(begin: int, end: int, seed: str, failures: list[Failure], told: Call
         return number + 1 if number < end else end
 
 
-def _watch(
-    process: "subprocess.Popen[bytes]", now: Path, told: Callable[[int], None], patience: float = HANG
-) -> bool:
+def watch(process: "subprocess.Popen[bytes]", now: Path, told: Callable[[int], None], patience: float = HANG) -> bool:
     """Wait for a process; kills it, and says so, if it stays at one file."""
     last, since = -1, time.monotonic()
     while process.poll() is None:

@@ -148,7 +148,7 @@ def _nearest(
     """Of each frame: number of the phone with the nearest code, and the distance to it."""
     frames = sound[: len(sound) // geometry.frame * geometry.frame].astype(float).reshape(-1, geometry.frame)
     measured = _measures(frames)
-    codes = _measures(np.array([_pulses(*code_of(index), geometry) for index in range(len(phones))]))
+    codes = _measures(np.array([pulses(*code_of(index), geometry) for index in range(len(phones))]))
     measured[:, 0] += codes[list(phones).index(first), 0] - measured[2, 0]
     distances = np.abs((measured[:, None] - codes[None]) / (1.0, 0.05)).max(axis=2)
     return distances.argmin(axis=1), distances.min(axis=1)
@@ -163,7 +163,7 @@ def _measures(frames: np.ndarray) -> np.ndarray:
     return np.stack([10 * np.log10(power), (frames * np.roll(frames, 1, axis=1)).mean(axis=1) / power], axis=1)
 
 
-def _pulses(level: float, tilt: float, geometry: Geometry) -> np.ndarray:
+def pulses(level: float, tilt: float, geometry: Geometry) -> np.ndarray:
     """One frame of the pulse train through the filter of this mel cepstrum; its scale is not the synthesizer's."""
     frequency = 2 * np.pi * np.arange(geometry.frame // 2 + 1) / geometry.frame
     bend = np.arctan2(geometry.warping * np.sin(frequency), 1 - geometry.warping * np.cos(frequency))

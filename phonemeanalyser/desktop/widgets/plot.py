@@ -208,6 +208,10 @@ class Plot(QWidget):
     tip : what is drawn, and of what.
     axes : text and unit of the x and the y axis.
     read_out : says in words what lies at a point of the plot; an empty text for nothing.
+
+    Attributes
+    ----------
+    cursor_label : shows that for the place of the mouse.
     """
 
     def __init__(
@@ -225,7 +229,7 @@ class Plot(QWidget):
         self._read_out = read_out
         self._mouse: QPointF | None = None
         self.graphics.setAccessibleName(title)
-        self._cursor_label = ReadOut(self.graphics, theme)
+        self.cursor_label = ReadOut(self.graphics, theme)
         self._cursor = pg.InfiniteLine(angle=90, pen=pg.mkPen(theme.faint, style=Qt.PenStyle.DashLine))
         self._hint = QLabel(tr("No data yet: press Play, or click in the recording"))
         self._style(axes)
@@ -242,7 +246,7 @@ class Plot(QWidget):
         self._cursor.setVisible(point is not None)
         if point is not None:
             self._cursor.setPos(point.x())
-        self._cursor_label.show_reading("" if point is None else self._read_out(point.x(), point.y()))
+        self.cursor_label.show_reading("" if point is None else self._read_out(point.x(), point.y()))
 
     @override
     def showEvent(self, event: Any) -> None:

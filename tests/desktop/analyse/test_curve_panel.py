@@ -138,7 +138,7 @@ def test_vowels_of_the_speakers_of_a_folder_are_chosen_and_exported(window, curv
     folder = labelled_folder(tmp_path)
 
     def choose_ada(dialog) -> None:
-        assert [item.text() for item in dialog._items()] == ["ada", "bob"]
+        assert [item.text() for item in dialog.items()] == ["ada", "bob"]
         assert {p for p, b in dialog.phonemes.items() if b.isChecked()} == {
             Phoneme.A,
             Phoneme.E,
@@ -152,7 +152,7 @@ def test_vowels_of_the_speakers_of_a_folder_are_chosen_and_exported(window, curv
         dialog.speakers.item(1).setCheckState(Qt.CheckState.Unchecked)
         for phoneme in (Phoneme.E, Phoneme.O, Phoneme.U):
             dialog.phonemes[phoneme].click()
-        assert "2 curves of 1.2 s of sound" in dialog._told.text()
+        assert "2 curves of 1.2 s of sound" in dialog.told.text()
         dialog.accept()
 
     hand.act = choose_ada
@@ -188,13 +188,13 @@ def in_workbench(window, tmp_path):
 def test_labels_of_the_file_and_of_the_workbench_are_offered(window, curves, qtbot, hand):
     def choose_file(dialog) -> None:
         assert [dialog.source.itemText(k) for k in range(2)] == ["This file: cards.flac", "Calibrate: 4 recordings"]
-        assert [item.text() for item in dialog._items()] == ["cards"]
+        assert [item.text() for item in dialog.items()] == ["cards"]
         dialog.source.setCurrentIndex(1)
-        assert [item.text() for item in dialog._items()] == ["ada", "bob"]
+        assert [item.text() for item in dialog.items()] == ["ada", "bob"]
         button(dialog, "None").click()
         assert dialog.groups() == {}
-        assert "Choose at least one speaker" in dialog._told.text()
-        assert not dialog._add.isEnabled()
+        assert "Choose at least one speaker" in dialog.told.text()
+        assert not dialog.add.isEnabled()
         dialog.source.setCurrentIndex(0)
         dialog.by.setCurrentIndex(dialog.by.findData(Grouping.PHONEME))
         dialog.accept()

@@ -55,33 +55,33 @@ def test_an_opened_file_is_seen_at_once_and_a_microphone_scrolls_by(desktop, pan
 def test_the_lane_shows_the_phonemes_where_they_are(desktop, panel):
     view, tracks, seen = panel.view, desktop.session.whole.tracks, desktop.session.view.seen
     picture = view.grab().toImage()
-    lane = view._layout.rows()[1]
+    lane = view.file_layout.rows()[1]
     y = round(lane.top()) + 2
     for share in (0.11, 0.35, 0.52, 0.77):
         time = seen.start + share * seen.seconds
         around = tracks.phonemes[round(time / FRAME_PERIOD) - 3 : round(time / FRAME_PERIOD) + 3]
         if len(set(around.tolist())) == 1:
             expected = QColor(PHONEME_COLOURS[Phoneme(int(around[0]))])
-            assert QColor(picture.pixel(round(view._layout.x_of(time)), y)) == expected
+            assert QColor(picture.pixel(round(view.file_layout.x_of(time)), y)) == expected
     assert lane.height() == LANE_HEIGHT
 
 
 def test_sonagram_waveform_and_course_are_painted(panel):
     picture = panel.view.grab().toImage()
     for k, least in ((0, 50), (2, 2), (3, 2)):
-        row = panel.view._layout.rows()[k]
+        row = panel.view.file_layout.rows()[k]
         ys = range(round(row.top()) + 1, round(row.bottom()) - 1, 2)
-        found = {picture.pixel(x, y) for x in range(LEFT + 2, LEFT + panel.view._layout.width - 2, 3) for y in ys}
+        found = {picture.pixel(x, y) for x in range(LEFT + 2, LEFT + panel.view.file_layout.width - 2, 3) for y in ys}
         assert len(found) >= least, k
 
 
 def test_the_wheel_zooms_at_the_pointer_and_with_shift_scrolls(desktop, panel):
     view, seen = panel.view, desktop.session.view.seen
-    x = LEFT + 0.3 * view._layout.width
-    under = view._layout.time_at(x)
+    x = LEFT + 0.3 * view.file_layout.width
+    under = view.file_layout.time_at(x)
     turn(view, x, 3)
     assert desktop.session.view.seen.seconds == pytest.approx(seen.seconds * 0.8**3)
-    assert view._layout.time_at(x) == pytest.approx(under)
+    assert view.file_layout.time_at(x) == pytest.approx(under)
     before = desktop.session.view.seen
     turn(view, x, -1, Qt.KeyboardModifier.ShiftModifier)
     assert desktop.session.view.seen.start > before.start
@@ -92,9 +92,9 @@ def test_a_drag_scrolls_and_a_click_goes_there(desktop, panel):
     time = desktop.session.view
     time.show(TimeSpan(1.0, 2.0))
     drag(panel.view, LEFT + 200, LEFT + 100)
-    assert time.seen.start == pytest.approx(1 + 100 / panel.view._layout.width, abs=0.02)
+    assert time.seen.start == pytest.approx(1 + 100 / panel.view.file_layout.width, abs=0.02)
     assert desktop.session.source.position == 0
-    at = panel.view._layout.time_at(LEFT + 50)
+    at = panel.view.file_layout.time_at(LEFT + 50)
     QTest.mouseClick(panel.view, Qt.MouseButton.LeftButton, pos=QPoint(LEFT + 50, 20))
     assert desktop.session.source.position == pytest.approx(at, abs=0.02)
     kept = panel.view.grab().toImage()
@@ -105,7 +105,7 @@ def test_a_drag_scrolls_and_a_click_goes_there(desktop, panel):
 def test_shift_and_a_drag_select_and_the_button_shows_what_is_selected(desktop, panel):
     time = desktop.session.view
     assert not panel.selection.isEnabled()
-    expected = sorted((panel.view._layout.time_at(LEFT + 150), panel.view._layout.time_at(LEFT + 60)))
+    expected = sorted((panel.view.file_layout.time_at(LEFT + 150), panel.view.file_layout.time_at(LEFT + 60)))
     drag(panel.view, LEFT + 150, LEFT + 60, Qt.KeyboardModifier.ShiftModifier)
     assert time.selection == pytest.approx(expected)
     click(panel.selection)
@@ -143,7 +143,7 @@ def test_another_axis_is_measured_anew_and_another_variable_drawn(desktop, panel
     before = panel.view.grab().toImage()
     desktop.window.analysis.sonagram.axis.setCurrentIndex(1)
     assert desktop.session.sonagram.settings.axis is FrequencyAxis.MEL
-    sonagram, width = desktop.session.sonagram, panel.view._layout.width
+    sonagram, width = desktop.session.sonagram, panel.view.file_layout.width
     qtbot.waitUntil(lambda: bool(sonagram.tiles_for(desktop.session.view.seen, width)))
     qtbot.waitUntil(lambda: panel.view.grab().toImage() != before)
     before = panel.view.grab().toImage()
@@ -161,12 +161,12 @@ def test_home_and_end_go_to_the_ends(desktop, panel):
 
 
 def test_what_is_drawn_over_the_sonagram_is_seen_read_out_and_switched_off(desktop, panel, qtbot):
-    view, sonagram = panel.view, panel.view._layout.rows()[0]
+    view, sonagram = panel.view, panel.view.file_layout.rows()[0]
     loud = int(desktop.session.whole.tracks.intensities.argmax())
     desktop.session.view.show(TimeSpan(loud * FRAME_PERIOD - 0.3, loud * FRAME_PERIOD + 0.3))
-    tiles, width = desktop.session.sonagram, view._layout.width
+    tiles, width = desktop.session.sonagram, view.file_layout.width
     qtbot.waitUntil(lambda: len(tiles.tiles_for(desktop.session.view.seen, width)) > 0)
-    for x in (LEFT + 5, round(view._layout.x_of(loud * FRAME_PERIOD))):
+    for x in (LEFT + 5, round(view.file_layout.x_of(loud * FRAME_PERIOD))):
         QTest.mouseMove(view, QPoint(x, round(sonagram.center().y())))
     before, words = view.grab(sonagram.toRect()).toImage(), view.reading()
     assert "Hz" in words
@@ -195,32 +195,32 @@ def test_words_and_phones_lie_on_the_same_time(desktop, qtbot):
     phones = (Phone(0.5, 1.0, "a", Phoneme.A), Phone(1.0, 1.5, "o", Phoneme.O))
     word = Word("hallo", (Syllable(phones),))
     desktop.talking.text.words.put(KnownWords(Utterance((word,), desktop.session.source.duration)))
-    lanes = {lane.name: (row, lane) for row, lane in view._layout.spoken_rows()}
+    lanes = {lane.name: (row, lane) for row, lane in view.file_layout.spoken_rows()}
     assert list(lanes) == ["Words", "Syllables"]  # the labels have phones
     row, lane = lanes["Words"]
     assert lane.texts == ["hallo"]
-    rows = view._layout.rows()
+    rows = view.file_layout.rows()
     assert rows[1].bottom() < row.top() < row.bottom() < rows[2].top()
 
     def is_read() -> bool:
-        under = {lane.name: row for row, lane in view._layout.spoken_rows()}["Words"]  # it may move meanwhile
-        QTest.mouseMove(view, QPointF(view._layout.x_of(1.2), under.center().y()).toPoint())
+        under = {lane.name: row for row, lane in view.file_layout.spoken_rows()}["Words"]  # it may move meanwhile
+        QTest.mouseMove(view, QPointF(view.file_layout.x_of(1.2), under.center().y()).toPoint())
         return "Words: hallo" in view.reading()
 
     qtbot.waitUntil(is_read)
     desktop.talking.text.words.put(
         KnownWords(Utterance((Word("", (Syllable(phones),)),), desktop.session.source.duration))
     )
-    assert view._layout.spoken_rows() == []  # a file of phones names no words, and none are made up
+    assert view.file_layout.spoken_rows() == []  # a file of phones names no words, and none are made up
     tier = Tier("words", (RawLabel(0.5, 1.5, "hallo", ""),))
     desktop.session.labels.put(LabelState((tier,), (0,), 0))
-    assert [lane.name for _, lane in view._layout.spoken_rows()] == ["Phones"]
+    assert [lane.name for _, lane in view.file_layout.spoken_rows()] == ["Phones"]
     window.analysis.sonagram.overlays["words"].setChecked(False)
-    assert view._layout.spoken_rows() == []
+    assert view.file_layout.spoken_rows() == []
 
 
 def test_a_point_of_a_tier_has_its_name_from_there_to_the_next_and_cannot_be_dragged(desktop, qtbot):
-    layout = shown(desktop, qtbot).analysis.file.view._layout
+    layout = shown(desktop, qtbot).analysis.file.view.file_layout
     marks = Tier("marks", (RawLabel(0.5, 0.5, "breath", ""), RawLabel(1.5, 1.5, "click", "")), points=True)
     words = Tier("words", (RawLabel(0.5, 1.0, "hallo", ""),))
     desktop.session.labels.put(LabelState((marks, words), (0, 1), 1))

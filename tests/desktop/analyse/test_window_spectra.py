@@ -125,16 +125,16 @@ def test_the_cursor_reads_out_frequency_amplitude_and_level(view, qtbot):
         amplitude = curve(view)[1][k]
         level = f"{20 * np.log10(amplitude):.1f}" if amplitude > 0 else "−∞"
         expected = re.compile(rf"(\d+) Hz   {amplitude:.4f}   {level} dB")
-        qtbot.waitUntil(lambda e=expected: e.fullmatch(view._cursor_label.text()) is not None)
-        assert float(expected.fullmatch(view._cursor_label.text())[1]) == pytest.approx(hertz, abs=2)
+        qtbot.waitUntil(lambda e=expected: e.fullmatch(view.cursor_label.text()) is not None)
+        assert float(expected.fullmatch(view.cursor_label.text())[1]) == pytest.approx(hertz, abs=2)
 
 
 def test_the_read_out_lies_inside_the_plot_and_goes_with_the_mouse(view, qtbot):
     hover(view.graphics, view.item, 5300, 0.9)
-    qtbot.waitUntil(view._cursor_label.isVisible)
-    assert view.graphics.rect().contains(view._cursor_label.geometry())
+    qtbot.waitUntil(view.cursor_label.isVisible)
+    assert view.graphics.rect().contains(view.cursor_label.geometry())
     hover(view.graphics, view.item, -600, -0.2)
-    qtbot.waitUntil(lambda: not view._cursor_label.isVisible())
+    qtbot.waitUntil(lambda: not view.cursor_label.isVisible())
 
 
 def test_the_view_menu_switches_all_spectra_at_once(window):
@@ -168,9 +168,9 @@ def test_the_waveform_shows_the_window_and_its_scale_enlarges_it(window):
 
 def test_the_waveform_cursor_reads_out_time_and_amplitude(window, qtbot):
     hover(window.analysis.waveform.graphics, window.analysis.waveform.item, 20, 0)
-    qtbot.waitUntil(window.analysis.waveform._cursor_label.isVisible)
+    qtbot.waitUntil(window.analysis.waveform.cursor_label.isVisible)
     milliseconds, amplitude = re.fullmatch(
-        r"([\d.]+) ms   ([+-][\d.]+)", window.analysis.waveform._cursor_label.text()
+        r"([\d.]+) ms   ([+-][\d.]+)", window.analysis.waveform.cursor_label.text()
     ).groups()
     assert float(milliseconds) == pytest.approx(20, abs=0.2)
     assert abs(float(amplitude)) <= 0.51
@@ -188,16 +188,16 @@ def test_other_settings_change_the_axis(desktop, window):
 def test_under_a_still_mouse_the_read_out_follows_the_picture(window, qtbot):
     for view, x in ((window.analysis.spectrum, ON_BIN), (window.analysis.averaged, ON_BIN)):
         hover(view.graphics, view.item, x, 0.3)
-        qtbot.waitUntil(view._cursor_label.isVisible, timeout=30_000)
-        before = view._cursor_label.text()
+        qtbot.waitUntil(view.cursor_label.isVisible, timeout=30_000)
+        before = view.cursor_label.text()
         view.draw(np.full(256, 0.25, np.float32))
-        assert view._cursor_label.text() != before
-        assert "0.2500   -12.0 dB" in view._cursor_label.text()
+        assert view.cursor_label.text() != before
+        assert "0.2500   -12.0 dB" in view.cursor_label.text()
     waveform = window.analysis.waveform
     hover(waveform.graphics, waveform.item, 20, 0)
-    qtbot.waitUntil(waveform._cursor_label.isVisible, timeout=30_000)
+    qtbot.waitUntil(waveform.cursor_label.isVisible, timeout=30_000)
     waveform.draw(np.full(512, -0.125, np.float32))
-    assert waveform._cursor_label.text().endswith("ms   -0.1250")
+    assert waveform.cursor_label.text().endswith("ms   -0.1250")
 
 
 # -- the menu of the plots ----------------------------------------------------------------------------
@@ -312,10 +312,10 @@ def test_pictures_are_lines_where_the_name_says_so(desktop, qtbot, tmp_path):
 
 def test_the_mean_says_of_how_much_it_is_since_when(desktop, window):
     view = window.analysis.averaged
-    assert view._since.text() == "Mean of 0.8 s since opening"
+    assert view.since.text() == "Mean of 0.8 s since opening"
     assert "80 frames since opening at 0.00 s of sound.wav; quantise 4 plain" in view.heading.toolTip()
     press(window, Qt.Key.Key_C)
-    assert view._since.text() == ""
+    assert view.since.text() == ""
     assert "frames" not in view.heading.toolTip()
 
 
@@ -418,7 +418,7 @@ def test_a_curve_is_read_where_it_is_nearest(window, desktop, tmp_path, qtbot):
     view = window.analysis.averaged
     view.item.setXRange(ON_BIN - 100, ON_BIN + 100, padding=0)
     hover(view.graphics, view.item, ON_BIN, 0.4)
-    qtbot.waitUntil(lambda: re.fullmatch(r"tone   99\d Hz   0\.\d+   .* dB", view._cursor_label.text()) is not None)
+    qtbot.waitUntil(lambda: re.fullmatch(r"tone   99\d Hz   0\.\d+   .* dB", view.cursor_label.text()) is not None)
 
 
 def test_a_file_that_is_no_curve_is_said(window, tmp_path):

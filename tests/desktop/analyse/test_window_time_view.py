@@ -132,7 +132,7 @@ def test_the_cursor_reads_out_time_phoneme_frequency_and_level(desktop, window, 
     settle()
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -1.0, eyes.share(ON_BIN))
-    label = window.analysis.scroll_view._cursor_label
+    label = window.analysis.scroll_view.cursor_label
     qtbot.waitUntil(label.isVisible)
     seconds, phoneme, hertz, level = re.fullmatch(r"([\d.]+) s   (\w+)   (\d+) Hz   (-\d+) dB", label.text()).groups()
     assert float(seconds) == pytest.approx(1.0, abs=0.025)
@@ -147,7 +147,7 @@ def test_over_the_course_the_cursor_reads_out_the_variable(window, qtbot):
     window.analysis.courses.choose("volume")
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.course, -1.0, 0.05)
-    label = window.analysis.scroll_view._cursor_label
+    label = window.analysis.scroll_view.cursor_label
     qtbot.waitUntil(label.isVisible)
     assert re.fullmatch(r"[\d.]+ s   \w+   volume 0\.1", label.text())
 
@@ -155,7 +155,7 @@ def test_over_the_course_the_cursor_reads_out_the_variable(window, qtbot):
 def test_left_of_what_was_heard_there_is_nothing_to_read(window, qtbot):
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -1.0, eyes.share(ON_BIN))
-    label = window.analysis.scroll_view._cursor_label
+    label = window.analysis.scroll_view.cursor_label
     qtbot.waitUntil(label.isVisible)
     hover(eyes.graphics, eyes.sonagram, -4.0, eyes.share(ON_BIN))
     qtbot.waitUntil(lambda: not label.isVisible())
@@ -166,7 +166,7 @@ def test_while_frozen_the_cursor_reads_what_is_drawn(desktop, window, qtbot):
     desktop.session.analyse_until(1.0)
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -0.5, eyes.share(ON_BIN))
-    label = window.analysis.scroll_view._cursor_label
+    label = window.analysis.scroll_view.cursor_label
     qtbot.waitUntil(label.isVisible)
     assert float(label.text().split(" s")[0]) == pytest.approx(1.5, abs=0.025)
 
@@ -174,7 +174,7 @@ def test_while_frozen_the_cursor_reads_what_is_drawn(desktop, window, qtbot):
 def test_under_a_still_mouse_the_read_out_follows_the_moving_picture(desktop, window, qtbot):
     eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -1.0, eyes.share(ON_BIN))
-    label = window.analysis.scroll_view._cursor_label
+    label = window.analysis.scroll_view.cursor_label
     qtbot.waitUntil(label.isVisible, timeout=30_000)
     assert float(label.text().split(" s")[0]) == pytest.approx(1.0, abs=0.025)
     results, session = desktop.session.results, desktop.session

@@ -30,9 +30,14 @@ def sound(tmp_path):
 
 
 @pytest.fixture
-def labels(qapp, sound):
+def stack(qapp):
+    return QUndoStack()
+
+
+@pytest.fixture
+def labels(stack, sound):
     write_tiers([M_A, WORDS], sound.with_suffix(".TextGrid"), duration=2.0)
-    found = LabelTiers(QUndoStack())
+    found = LabelTiers(stack)
     found.follow(sound, 2.0)
     return found
 
@@ -47,8 +52,7 @@ def test_labels_beside_a_sound_are_there_with_the_tier_that_names_phonemes(label
     assert (labels.path, labels.tiers) == (None, ())
 
 
-def test_edits_are_undone_one_by_one_and_a_drag_at_once(labels):
-    stack = labels._undo_stack
+def test_edits_are_undone_one_by_one_and_a_drag_at_once(labels, stack):
     labels.begin_move(Boundary(ChosenLabel(0, 0), is_end=True))
     for seconds in (0.35, 0.4, 0.42):
         labels.move(seconds)
@@ -68,7 +72,7 @@ def test_edits_are_undone_one_by_one_and_a_drag_at_once(labels):
     assert labels.tiers[0].raw_labels[0].end == 0.42
 
 
-def test_boundaries_at_one_time_move_together_as_far_as_all_can_unless_one_moves_alone(labels):
+def test_boundaries_at_one_time_move_together_as_far_as_all_can_unless_one_moves_alone(labels, stack):
     end_of_a = Boundary(ChosenLabel(0, 1), is_end=True)
     labels.begin_move(end_of_a)
     labels.move(0.7)
@@ -78,12 +82,12 @@ def test_boundaries_at_one_time_move_together_as_far_as_all_can_unless_one_moves
     labels.begin_move(end_of_a, alone=True)
     labels.move(0.5)
     assert [labels.tiers[k].raw_labels[-1].end for k in (0, 1)] == pytest.approx([0.5, 0.305])
-    labels._undo_stack.undo()
-    labels._undo_stack.undo()
+    stack.undo()
+    stack.undo()
     assert not labels.has_unsaved_changes
 
 
-def test_a_label_is_split_at_a_time_and_merged_with_its_neighbour(labels, qtbot):
+def test_a_label_is_split_at_a_time_and_merged_with_its_neighbour(labels, stack, qtbot):
     labels.split(0.4)
     assert [(raw.start, raw.end, raw.name) for raw in labels.tiers[0].raw_labels[1:]] == [
         (0.3, 0.4, "a"),
@@ -103,7 +107,7 @@ def test_a_label_is_split_at_a_time_and_merged_with_its_neighbour(labels, qtbot)
             refused()
     assert labels.state == before
     for _ in range(3):
-        labels._undo_stack.undo()
+        stack.undo()
     assert not labels.has_unsaved_changes
 
 
@@ -139,19 +143,20 @@ def test_a_label_is_asked_for_only_where_there_is_room(labels, qtbot):
         assert not labels.has_room(labels.gap_at(0.2))
 
 
-def test_edits_of_another_sound_are_not_undone(labels, sound):
+def test_edits_of_another_sound_are_not_undone(labels, stack, sound):
     labels.delete(ChosenLabel(0, 0))
     labels.follow(sound.with_name("other.wav"), 1.0)
-    labels._undo_stack.undo()
+    stack.undo()
     assert labels.tiers == ()
 
 
 def test_the_first_label_makes_a_tier(qapp):
-    labels = LabelTiers(QUndoStack())
+    stack = QUndoStack()
+    labels = LabelTiers(stack)
     labels.follow(None, 2.0)
     labels.insert(None, 0.5, 0.9, "a")
     assert (labels.tiers[0].name, labels.state.said, labels.state.shown) == ("phonemes", 0, (0,))
-    labels._undo_stack.undo()
+    stack.undo()
     assert labels.tiers == ()
 
 

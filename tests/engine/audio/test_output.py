@@ -121,78 +121,84 @@ def card(portaudio: FakePortAudio) -> CardOutput:
     return CardOutput(2)
 
 
+@pytest.fixture
+def playing(card: CardOutput, portaudio: FakePortAudio) -> FakeStream:
+    """The stream that the card opened."""
+    return portaudio.streams[-1]
+
+
 def numbered(n: int) -> np.ndarray:
     return np.repeat(np.arange(1, n + 1, dtype=np.float32)[:, np.newaxis], 2, axis=1)
 
 
-def test_a_card_plays_what_is_written_as_loud_as_is_asked(card: CardOutput) -> None:
+def test_a_card_plays_what_is_written_as_loud_as_is_asked(card: CardOutput, playing: FakeStream) -> None:
     card.write(numbered(300))
-    assert not card._stream._stream.ask(100).any()  # not running yet
+    assert not playing.ask(100).any()  # not running yet
     card.run(running=True)
-    np.testing.assert_array_equal(card._stream._stream.ask(100), numbered(300)[:100])
+    np.testing.assert_array_equal(playing.ask(100), numbered(300)[:100])
     card.gain = 0.5
-    np.testing.assert_array_equal(card._stream._stream.ask(100), numbered(300)[100:200] / 2)
-    out = card._stream._stream.ask(200)
+    np.testing.assert_array_equal(playing.ask(100), numbered(300)[100:200] / 2)
+    out = playing.ask(200)
     assert not out[100:].any()
     assert (card.name, card.is_card, card.lost, card.n_written, card.room) == ("a card", True, False, 300, AHEAD)
 
 
-def test_a_sample_is_heard_when_it_leaves_the_card(card: CardOutput) -> None:
+def test_a_sample_is_heard_when_it_leaves_the_card(card: CardOutput, playing: FakeStream) -> None:
     card.write(numbered(2000))
     card.run(running=True)
     assert card.heard == 0
-    card._stream._stream.ask(1000, latency=0.05)
+    playing.ask(1000, latency=0.05)
     assert card.heard == 0
-    card._stream._stream.time += 0.05
+    playing.time += 0.05
     assert card.heard == pytest.approx(0)
-    card._stream._stream.time += 0.01
+    playing.time += 0.01
     assert card.heard == pytest.approx(441)
-    card._stream._stream.time += 10
+    playing.time += 10
     assert card.heard == 1000  # and never more than was given out
 
 
-def test_a_paused_card_is_silent_and_keeps_its_place(card: CardOutput) -> None:
+def test_a_paused_card_is_silent_and_keeps_its_place(card: CardOutput, playing: FakeStream) -> None:
     card.write(numbered(2000))
     card.run(running=True)
-    card._stream._stream.ask(1000)
-    card._stream._stream.time += 0.01
+    playing.ask(1000)
+    playing.time += 0.01
     card.run(running=False)
-    card._stream._stream.time += 1
+    playing.time += 1
     assert card.heard == pytest.approx(441)
-    assert not card._stream._stream.ask(100).any()
+    assert not playing.ask(100).any()
     card.run(running=True)
-    np.testing.assert_array_equal(card._stream._stream.ask(100), numbered(2000)[1000:1100])
+    np.testing.assert_array_equal(playing.ask(100), numbered(2000)[1000:1100])
 
 
-def test_what_is_skipped_is_never_played(card: CardOutput) -> None:
+def test_what_is_skipped_is_never_played(card: CardOutput, playing: FakeStream) -> None:
     card.write(numbered(2000))
     card.run(running=True)
-    card._stream._stream.ask(500)
+    playing.ask(500)
     card.skip()
     assert card.heard == 2000
-    assert not card._stream._stream.ask(100).any()
+    assert not playing.ask(100).any()
     card.write(numbered(50))
-    np.testing.assert_array_equal(card._stream._stream.ask(50), numbered(50))
-    card._stream._stream.time += 1
+    np.testing.assert_array_equal(playing.ask(50), numbered(50))
+    playing.time += 1
     assert card.heard == 2050
 
 
-def test_a_lost_card_says_so_and_knows_where_it_was(card: CardOutput) -> None:
+def test_a_lost_card_says_so_and_knows_where_it_was(card: CardOutput, playing: FakeStream) -> None:
     card.write(numbered(5000))
     card.run(running=True)
     for _ in range(4):
-        card._stream._stream.ask(1000)
-        card._stream._stream.time += 1000 / SAMPLE_RATE
+        playing.ask(1000)
+        playing.time += 1000 / SAMPLE_RATE
     before = card.heard
-    del card._stream._stream.time  # the clock of a dead stream must not be asked
-    card._stream._stream.vanish()
+    del playing.time  # the clock of a dead stream must not be asked
+    playing.vanish()
     assert card.lost
     assert card.heard == pytest.approx(before) == 4000
 
 
-def test_a_card_that_is_closed_is_not_lost(card: CardOutput) -> None:
+def test_a_card_that_is_closed_is_not_lost(card: CardOutput, playing: FakeStream) -> None:
     card.close()
-    assert card._stream._stream.closed
+    assert playing.closed
     assert not card.lost
 
 
@@ -200,12 +206,12 @@ def test_a_card_that_sleeps_is_not_lost_until_it_asks_for_nothing_for_long(
     portaudio: FakePortAudio, clock: Clock
 ) -> None:
     card = CardOutput(2, clock=clock)
-    card._stream._stream.ask(100)  # what it takes in advance
+    portaudio.streams[-1].ask(100)  # what it takes in advance
     clock.now += 2.5  # PulseAudio's null sink sleeps for 2 s before its first sound
     assert (card.lost, card.alive) == (False, False)
     clock.now += stream.STALLED
     assert card.lost
-    card._stream._stream.ask(100)  # it asks again: a paused card does so all the time
+    portaudio.streams[-1].ask(100)  # it asks again: a paused card does so all the time
     assert (card.lost, card.alive) == (False, True)
     clock.now += 2.5
     assert not card.lost
@@ -219,12 +225,12 @@ def test_a_card_is_alive_once_it_asks_for_more_than_it_takes_in_advance(
     portaudio: FakePortAudio, clock: Clock
 ) -> None:
     card = CardOutput(2, clock=clock)
-    card._stream._stream.ask(100)
+    portaudio.streams[-1].ask(100)
     assert not card.alive
     clock.now += 0.2
-    card._stream._stream.ask(100)
+    portaudio.streams[-1].ask(100)
     assert card.alive
-    card._stream._stream.vanish()
+    portaudio.streams[-1].vanish()
     assert (card.alive, card.lost) == (False, True)
 
 

@@ -43,6 +43,10 @@ class FileView(QWidget):
     Enter splits one at the cursor, and a drag at a boundary moves that: see `_drag_boundary`. A drag at a threshold
     in the course of its variable moves that.
 
+    Attributes
+    ----------
+    file_layout : where the rows lie, and which place is which time.
+
     Signals
     -------
     sought : seconds from the file's beginning.
@@ -61,9 +65,9 @@ class FileView(QWidget):
         self._session, self._courses = session, courses
         self._labels = session.labels
         self._view = session.view
-        self._layout = FileLayout(session, self, theme)
-        self._lanes = CourseLanes(session, courses, theme, self._layout)
-        self._painter = FilePainter(session, theme, self._layout, self._lanes, self)
+        self.file_layout = FileLayout(session, self, theme)
+        self._lanes = CourseLanes(session, courses, theme, self.file_layout)
+        self._painter = FilePainter(session, theme, self.file_layout, self._lanes, self)
         self._line: HeldLine | None = None
         self._mouse: QPointF | None = None
         self._pressed: QPointF | None = None
@@ -108,17 +112,17 @@ class FileView(QWidget):
     def _show_courses(self) -> None:
         """Draw other variables, or only their thresholds where they are the same."""
         n = len(self._courses.variables)
-        if n != self._layout.n_courses:
-            self._layout.n_courses = n
+        if n != self.file_layout.n_courses:
+            self.file_layout.n_courses = n
             self._renew()
         else:
             self._painter.renew(courses_only=True)
             # at once: what a threshold that is dragged changes is recognised after that
-            self.repaint(self._layout.rows()[-1].toAlignedRect().adjusted(-LEFT, 0, 0, 1))
+            self.repaint(self.file_layout.rows()[-1].toAlignedRect().adjusted(-LEFT, 0, 0, 1))
 
     def show_spoken(self, lanes: list[Lane]) -> None:
         """Draw other lanes of what is said; those that a tier of labels of the same name shows are left out."""
-        self._layout.spoken = lanes
+        self.file_layout.spoken = lanes
         self._renew()
 
     def _renew(self) -> None:
@@ -137,21 +141,21 @@ class FileView(QWidget):
 
     def reading(self) -> str:
         """Return what lies under the mouse, in words; empty where that is nothing."""
-        row, tracks = self._layout.rows()[0], self._session.whole.tracks
-        if self._mouse is None or tracks is None or not LEFT <= self._mouse.x() <= LEFT + self._layout.width:
+        row, tracks = self.file_layout.rows()[0], self._session.whole.tracks
+        if self._mouse is None or tracks is None or not LEFT <= self._mouse.x() <= LEFT + self.file_layout.width:
             return ""
-        time = self._layout.time_at(self._mouse.x())
+        time = self.file_layout.time_at(self._mouse.x())
         frame = int(time / FRAME_PERIOD)
         if not 0 <= frame < tracks.n_frames or tracks.states[frame] == FrameState.UNKNOWN:
             return ""
         values = tracks.features.frame(frame)
         parts = [f"{time:.3f} s", sound_name(Phoneme(int(tracks.phonemes[frame])))]
-        for under, lane in self._layout.spoken_rows():
+        for under, lane in self.file_layout.spoken_rows():
             if under.contains(self._mouse) and (span := lane.span_at(time)) is not None:
                 parts.append(f"{lane.name}: {lane.texts[span]}")
         if row.contains(self._mouse):
             share = (row.bottom() - self._mouse.y()) / row.height()
-            tiles = self._session.sonagram.tiles_for(self._view.seen, self._layout.width)
+            tiles = self._session.sonagram.tiles_for(self._view.seen, self.file_layout.width)
             parts += self._painter.sonagram.reading(tiles, time, share)
         parts += self._reading_over(values, frame)
         variable = self._lanes.variable_at(self._mouse) or self._courses.chosen
@@ -184,7 +188,7 @@ class FileView(QWidget):
         if turned.x() or event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
             self._view.scroll(-(turned.x() or turned.y()) / 1200 * self._view.seen.seconds)
         else:
-            self._view.zoom(self._layout.time_at(event.position().x()), WHEEL_STEP ** (turned.y() / 120))
+            self._view.zoom(self.file_layout.time_at(event.position().x()), WHEEL_STEP ** (turned.y() / 120))
         event.accept()
 
     @override
@@ -208,30 +212,30 @@ class FileView(QWidget):
             self.rename_asked.emit()
 
     def _label_at(self, place: QPointF) -> ChosenLabel | None:
-        for tier, row in self._layout.label_rows().items():
+        for tier, row in self.file_layout.label_rows().items():
             if row.contains(place):
-                return self._labels.label_at(tier, self._layout.time_at(place.x()))
+                return self._labels.label_at(tier, self.file_layout.time_at(place.x()))
         return None
 
     def _catch(self, event: QMouseEvent) -> None:
         """Catch a boundary; it moves alone with Ctrl, and else together with those at its time in other tiers."""
-        lanes, alone = self._layout.label_lanes(), bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
-        held = self._boundary.press(lanes, self._layout.axis, event.position(), self._view.duration)
+        lanes, alone = self.file_layout.label_lanes(), bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
+        held = self._boundary.press(lanes, self.file_layout.axis, event.position(), self._view.duration)
         if held is not None:
             here = held.seconds
             others = [lane.boundaries() for k, (_, lane) in enumerate(lanes) if k != held.lane and lane.movable]
             edges = np.concatenate([np.zeros(0), *others])
             self._edges = edges[np.abs(edges - here) > ROUNDING]
-            label = ChosenLabel(self._layout.tiers_shown()[held.lane], held.boundary // 2)
+            label = ChosenLabel(self.file_layout.tiers_shown()[held.lane], held.boundary // 2)
             self._labels.begin_move(Boundary(label, bool(held.boundary % 2)), alone=alone)
 
     def _drag_boundary(self, event: QMouseEvent) -> bool:
         """Move a boundary that is held, say whether one is; it snaps to what lies near, unless Ctrl is down."""
         if self._boundary.held is None:
             return False
-        time = self._layout.time_at(event.position().x())
+        time = self.file_layout.time_at(event.position().x())
         if not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
-            time = self._snapped(time, SNAP / self._layout.width * self._view.seen.seconds)
+            time = self._snapped(time, SNAP / self.file_layout.width * self._view.seen.seconds)
         held = self._boundary.move(time)
         if held is not None:
             self._labels.move(held.seconds)
@@ -249,7 +253,7 @@ class FileView(QWidget):
         """Have a label named in its place; see `LabelEditor.open_over`."""
         self._view.reveal(span)
         self._named = span
-        layout, tier = self._layout, self._labels.tier_in_use
+        layout, tier = self.file_layout, self._labels.tier_in_use
         row = layout.label_rows().get(-1 if tier is None else tier, layout.rows()[LANE])
         left, right = (min(max(layout.x_of(t), LEFT), LEFT + layout.width) for t in span)
         self.editor.open_over(QRectF(left, row.top(), right - left, row.height()), name, begun=begun)
@@ -259,7 +263,7 @@ class FileView(QWidget):
         """Scroll, or select; with no button, tell what lies there."""
         self._mouse = event.position()
         if self._pressed is None:
-            over = self._boundary.boundary_at(self._layout.label_lanes(), self._layout.axis, event.position())
+            over = self._boundary.boundary_at(self.file_layout.label_lanes(), self.file_layout.axis, event.position())
             upright = (
                 Qt.CursorShape.SplitVCursor if self._lanes.line_at(event.position()) else Qt.CursorShape.ArrowCursor
             )
@@ -274,10 +278,10 @@ class FileView(QWidget):
         moved = event.position().x() - self._pressed.x()
         if self._selects:
             self._view.select(
-                TimeSpan(self._layout.time_at(self._pressed.x()), self._layout.time_at(event.position().x()))
+                TimeSpan(self.file_layout.time_at(self._pressed.x()), self.file_layout.time_at(event.position().x()))
             )
         elif abs(moved) > GRAB:
-            start = self._dragged_from.start - moved / self._layout.width * self._dragged_from.seconds
+            start = self._dragged_from.start - moved / self.file_layout.width * self._dragged_from.seconds
             self._view.show(TimeSpan(start, start + self._dragged_from.seconds))
 
     @override
@@ -297,7 +301,7 @@ class FileView(QWidget):
         label = self._label_at(event.position())
         self._labels.choose(label)
         self._view.select(None if label is None else self._labels.span_of(label))
-        self.sought.emit(min(max(self._layout.time_at(event.position().x()), 0.0), self._view.duration))
+        self.sought.emit(min(max(self.file_layout.time_at(event.position().x()), 0.0), self._view.duration))
 
     @override
     def leaveEvent(self, event: Any) -> None:
@@ -318,11 +322,11 @@ class FileView(QWidget):
 
     def _tip_at(self, event: QHelpEvent) -> str:
         """Return why a label is hatched, or what the feeling in the voice is; empty where neither lies there."""
-        feeling = self._layout.feeling_row()
+        feeling = self.file_layout.feeling_row()
         if feeling is not None and feeling.contains(QPointF(event.pos())):
             return feeling_tip()
-        time = self._layout.time_at(event.pos().x())
-        for row, lane in self._layout.label_lanes():
+        time = self.file_layout.time_at(event.pos().x())
+        for row, lane in self.file_layout.label_lanes():
             if row.contains(QPointF(event.pos())) and lane.tips and (k := lane.span_at(time)) is not None:
                 return lane.tips[k]
         return ""

@@ -187,6 +187,7 @@ class ScrollView(QWidget):
     Attributes
     ----------
     courses : the variables whose courses are drawn; here it is the chosen one.
+    cursor_label : reads out what lies under the mouse.
     """
 
     def __init__(self, session: Session, courses: Courses, choices: SonagramChoices, theme: Theme) -> None:
@@ -207,7 +208,7 @@ class ScrollView(QWidget):
             tr("History"), tr("Show all that the microphone recorded since Clear on its own time axis (Ctrl+B)")
         )
         self._mouse: QPointF | None = None
-        self._cursor_label = ReadOut(self._graphics, theme)
+        self.cursor_label = ReadOut(self._graphics, theme)
         self.menu = PlotMenu(self._graphics, "sonagram", self._values_at, self.reset_zoom)
         self._hint = pg.TextItem("", color=theme.faint, anchor=(0.5, 0.5))
         self._colour_bar = ColourBar(self.sonagram.painter)
@@ -371,7 +372,7 @@ class ScrollView(QWidget):
     def _refresh_read_out(self) -> None:
         """Show what lies under the mouse now: it may stand still while the picture moves."""
         plot = self._plot_at(self._mouse) if self._mouse is not None else None
-        self._cursor_label.show_reading(
+        self.cursor_label.show_reading(
             "" if plot is None else self._describe(plot, plot.vb.mapSceneToView(self._mouse))
         )
 

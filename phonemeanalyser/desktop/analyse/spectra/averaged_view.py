@@ -45,6 +45,10 @@ class LegendLine(pg.graphicsItems.LegendItem.ItemSample):
 class AveragedView(SpectrumView):
     """Draws the running mean and every curve that is shown on one frequency axis, with its spread as a band.
 
+    Attributes
+    ----------
+    since : says how long the mean has been running.
+
     Signals
     -------
     load_asked, save_asked : the user wants to load or save a curve.
@@ -61,7 +65,7 @@ class AveragedView(SpectrumView):
         self._averages, self._curves = averages, curves
         super().__init__(tr_noop("Averaged spectrum"), tr(TIP), theme)
         self._hint.setText(tr(EMPTY))
-        self._since = QLabel(self.graphics)
+        self.since = QLabel(self.graphics)
         self._drawn: list[tuple[AveragedSpectrum, pg.PlotCurveItem, QGraphicsPolygonItem | None]] = []
         self.legend = pg.LegendItem(
             offset=(-8, 26), labelTextSize="7.5pt", labelTextColor=theme.text, sampleType=LegendLine, verSpacing=-8,
@@ -107,9 +111,9 @@ class AveragedView(SpectrumView):
             if current.n_frames
             else ""
         )
-        if text != self._since.text():
-            self._since.setText(text)
-            self._since.adjustSize()
+        if text != self.since.text():
+            self.since.setText(text)
+            self.since.adjustSize()
             now = tr("{n} frames since {event}; {front_end}").format(
                 n=current.n_frames, event=tr_engine(current.since), front_end=current.front_end
             )
@@ -170,9 +174,9 @@ class AveragedView(SpectrumView):
             edge.setMovable(True)  # while a drag inside of it draws another
         self.item.addItem(self.region, ignoreBounds=True)
         self.measure.toggled.connect(self._toggle_region)
-        self._since.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)  # a drag may begin there
-        self._since.setStyleSheet(f"color: {self.theme.faint}")
-        self._since.move(60, 6)
+        self.since.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)  # a drag may begin there
+        self.since.setStyleSheet(f"color: {self.theme.faint}")
+        self.since.move(60, 6)
         self._escape.setEnabled(False)
         self._escape.activated.connect(self.drop_region)
 

@@ -46,6 +46,8 @@ class GroupDialog(QDialog):
     source, by : which recordings, and what each curve is of.
     speakers : a list, of which those count that are ticked.
     phonemes : a button for each.
+    told : how much sound that is, or what is missing.
+    add : the button that accepts.
     """
 
     def __init__(self, sources: list[LabelledSounds], parent: QWidget) -> None:
@@ -64,9 +66,9 @@ class GroupDialog(QDialog):
             tr("Curves"),
         )
         self.phonemes: dict[Phoneme, QToolButton] = {}
-        self._told = label(wraps=True)
+        self.told = label(wraps=True)
         buttons = dialog_buttons(self, CANCEL, verb=tr("Add"))
-        self._add = next(b for b in buttons.buttons() if b is not buttons.button(Button.Cancel))
+        self.add = next(b for b in buttons.buttons() if b is not buttons.button(Button.Cancel))
         column(
             self.source,
             row(
@@ -86,7 +88,7 @@ class GroupDialog(QDialog):
             ),
             self._phoneme_buttons(),
             self.by,
-            self._told,
+            self.told,
             buttons,
             on=self,
             margins=None,
@@ -98,7 +100,7 @@ class GroupDialog(QDialog):
 
     def groups(self) -> Groups:
         """Return what the user chose to average."""
-        ticked = [item.text() for item in self._items() if item.checkState() is Qt.CheckState.Checked]
+        ticked = [item.text() for item in self.items() if item.checkState() is Qt.CheckState.Checked]
         chosen = [phoneme for phoneme, button in self.phonemes.items() if button.isChecked()]
         if not ticked or not chosen:
             return {}
@@ -106,6 +108,10 @@ class GroupDialog(QDialog):
         everything = is_all and not self.phonemes[Phoneme.SILENCE].isChecked()
         by = Grouping(self.by.currentData())
         return groups_of(self._utterances, by, () if everything else chosen, ticked)
+
+    def items(self) -> list[QListWidgetItem]:
+        """Return the lines of the list of speakers."""
+        return [self.speakers.item(k) for k in range(self.speakers.count())]
 
     def choose(self, phonemes: tuple[Phoneme, ...]) -> None:
         """Choose these phonemes, as far as the recordings have them; silence only by its own button."""
@@ -118,12 +124,9 @@ class GroupDialog(QDialog):
     def _utterances(self) -> tuple[LabelledUtterance, ...]:
         return self._sources[self.source.currentIndex()].utterances
 
-    def _items(self) -> list[QListWidgetItem]:
-        return [self.speakers.item(k) for k in range(self.speakers.count())]
-
     def _tick_all(self, on: bool) -> None:
         with silent(self.speakers):
-            for item in self._items():
+            for item in self.items():
                 item.setCheckState(Qt.CheckState.Checked if on else Qt.CheckState.Unchecked)
         self.speakers.viewport().update()
         self._tell()
@@ -157,7 +160,7 @@ class GroupDialog(QDialog):
         words = tr(
             "1 curve of {seconds:.1f} s of sound" if len(groups) == 1 else "{n} curves of {seconds:.1f} s of sound"
         ).format(n=len(groups), seconds=seconds)
-        self._told.setText(
+        self.told.setText(
             words if groups else tr("Choose at least one speaker and one phoneme that the labels have.")
         )
-        self._add.setEnabled(bool(groups))
+        self.add.setEnabled(bool(groups))

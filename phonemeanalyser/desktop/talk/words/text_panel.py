@@ -249,7 +249,7 @@ class TextPanel(QWidget):
             self.language.setCurrentIndex(max(0, self.language.findData(written.language)))
             return
         self._listed = listed
-        names = {one.tag: tr(_short(one.name)) for one in installed.languages}
+        names = {one.tag: tr(short_name(one.name)) for one in installed.languages}
         none = tr(NO_LANGUAGE)
         if written.guess in names:
             none = tr("{language} (guessed)").format(language=names[written.guess])
@@ -265,6 +265,6 @@ class TextPanel(QWidget):
             show_removable(self.lexicon, path.name, tr("Remove the lexicon {path}").format(path=path))
 
 
-def _short(name: str) -> str:
+def short_name(name: str) -> str:
     """Return the name of a language without what the voice does with Latin letters."""
     return name.replace(", latin as English", "").replace("latin as ", "")
