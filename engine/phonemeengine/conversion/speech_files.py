@@ -135,7 +135,7 @@ class SpeechFiles:
 
     @property
     def _guards(self) -> list[tuple[Path, Guard]]:
-        """The files, and what leaves those alone that are there: a voice says no text twice in the same way."""
+        """The files, and what leaves those alone that are there."""
         form = self.exporter.format.owns if self.exporter else None
         asked = (
             (self.sound, nothing_is_own),

@@ -11,6 +11,7 @@ import hashlib
 import os
 import re
 import shutil
+import sys
 import threading
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -259,7 +260,7 @@ def synthesise(
     rate: int = NORMAL_RATE,
     phonemes: bool = False,
 ) -> None:
-    """Speak a text; every event comes with the samples that it begins in.
+    """Speak a text, always alike; every event comes with the samples that it begins in.
 
     Parameters
     ----------
@@ -277,6 +278,7 @@ def synthesise(
     check_voice(voice)
     library = _library()
     with library.lock:
+        library.begin_anew()
         library.choose(f"{language.identifier}+{voice}" if voice else language.identifier)
         library.speak(text, take, rate, phonemes=phonemes)
 
@@ -323,20 +325,40 @@ class _Library:
 
     def __init__(self, installed: Installation) -> None:
         self.lock = threading.RLock()
-        self._library = _loaded(installed.library)
-        # Without the data, the library would end the process unless its flags forbid that.
-        options = _PHONEME_EVENTS | _IN_IPA | _DO_NOT_EXIT
-        data = None if installed.data is None else os.fsencode(short_path(installed.data, cache_folder()))
-        if self._library.espeak_Initialize(_SYNCHRONOUS, 0, data, options) != VOICE_RATE:
-            raise VoiceError(f"espeak-ng does not find its data; install it again: {_NO_LIBRARY.partition('; ')[2]}")
-        self._library.espeak_TextToPhonemes.restype = ctypes.c_char_p
-        self._library.espeak_Info.restype = ctypes.c_char_p
-        self._library.espeak_ListVoices.restype = ctypes.POINTER(ctypes.POINTER(_VoiceEntry))
-        self._chosen = ""
+        self._path = installed.library
+        self._data = None if installed.data is None else os.fsencode(short_path(installed.data, cache_folder()))
         self._names: dict[int, str] = {}
-        self._reads_phonemes = False
+        self._open()
         self.languages = self._languages()
         self.variants = tuple(sorted(v.identifier.decode()[3:] for v in self._voices("variant")))
+
+    def begin_anew(self) -> None:
+        """Forget what was spoken: the library counts on in the flutter of its pitch, even if it is initialised again.
+
+        So it is loaded again, which takes half a millisecond; where a system keeps it, it counts on.
+        """
+        self._library.espeak_Terminate()
+        handle, self._library = self._library._handle, None  # noqa: SLF001 - documented by ctypes
+        _unload(handle)
+        try:
+            self._open()
+        except VoiceError:
+            _library.cache_clear()
+            raise
+
+    def _open(self) -> None:
+        library = _loaded(self._path)
+        # Without the data, the library would end the process unless its flags forbid that.
+        options = _PHONEME_EVENTS | _IN_IPA | _DO_NOT_EXIT
+        if library.espeak_Initialize(_SYNCHRONOUS, 0, self._data, options) != VOICE_RATE:
+            raise VoiceError(f"espeak-ng does not find its data; install it again: {_NO_LIBRARY.partition('; ')[2]}")
+        library.espeak_TextToPhonemes.restype = ctypes.c_char_p
+        library.espeak_Info.restype = ctypes.c_char_p
+        library.espeak_ListVoices.restype = ctypes.POINTER(ctypes.POINTER(_VoiceEntry))
+        if hasattr(library, "espeak_ng_SetRandSeed"):  # from 1.52 on; of breath, whose seed is the time otherwise
+            library.espeak_ng_SetRandSeed(ctypes.c_long(1))
+        self._library: Any = library
+        self._chosen, self._reads_phonemes = "", False
 
     def choose(self, identifier: str) -> None:
         """Speak with a voice from now on."""
@@ -424,6 +446,13 @@ def _loaded(path: str) -> Any:
         return ctypes.CDLL(path)
     except OSError as error:
         raise VoiceError(f"espeak-ng cannot be loaded ({error}); install it again") from error
+
+
+def _unload(handle: int) -> None:
+    if sys.platform == "win32":
+        ctypes.WinDLL("kernel32").FreeLibrary(ctypes.c_void_p(handle))
+    else:
+        ctypes.CDLL(None).dlclose(ctypes.c_void_p(handle))
 
 
 def _n_bytes(path: Path) -> int:
