@@ -6,6 +6,11 @@ of an hour has 36 MB, its sounds ten times as much, and who hands on a face need
 """
 
 import math
+import os
+import pickle
+import tempfile
+import threading
+import weakref
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -39,7 +44,7 @@ from phonemeengine.performance.table_file import Example, PerformanceTable
 from phonemeengine.performance.units import PAUSE, Sentence, Unit, UnitKind, sentences_in
 from phonemeengine.performance.word_strings import recorded_strings
 from phonemeengine.settings import HOP, SAMPLE_RATE
-from phonemeengine.storage.files import printable
+from phonemeengine.storage.files import printable, reason_of
 
 MOST_CHANGED = 0.15
 """Share by which the duration and the pitch of a unit are changed at most."""
@@ -75,7 +80,7 @@ _Answer = tuple[int, str]
 
 
 class OwnSound:
-    """Has the recordings of a table say what a voice says, in constant memory but for what was chosen.
+    """Has the recordings of a table say what a voice says, in constant memory: what was chosen lies on the disk.
 
     Parameters
     ----------
@@ -90,7 +95,7 @@ class OwnSound:
     def __init__(self, table: PerformanceTable, choice: ExampleChoice = ExampleChoice.VITERBI, seed: int = 0) -> None:
         self.table = table
         self._choice, self._seed = choice, abs(seed)
-        self._chosen: defaultdict[tuple[str, ...], list[ChosenUnits]] = defaultdict(list)
+        self._chosen = _UnitsOnDisk()
         self._lacking: dict[str, None] = {}
 
     @property
@@ -103,7 +108,7 @@ class OwnSound:
 
         Raises
         ------
-        PerformanceError : the table is damaged, or the sound of a recording is not beside it.
+        PerformanceError : the table is damaged, or the sound of a recording is not beside it; or the disk is full.
         AudioError : that sound cannot be read.
         """
         for sentence in sentences:
@@ -111,9 +116,7 @@ class OwnSound:
 
     def units_of(self, sentence: Sentence) -> ChosenUnits | None:
         """Return what the sound of a sentence was made of; None where it is not of this table."""
-        known = self._chosen.get(_names_of(sentence), ())
-        length = sentence[-1].start - sentence[0].end
-        return min(known, key=lambda units: abs(units.bounds[-3] - units.bounds[2] - length), default=None)
+        return self._chosen.find(_names_of(sentence), sentence[-1].start - sentence[0].end)
 
     @cached_property
     def _recordings(self) -> Recordings:
@@ -185,7 +188,7 @@ class OwnSound:
         ]
         widths = np.concatenate([cut.widths for cut in cuts])
         bounds = np.concatenate([[0.0], np.cumsum(widths)])
-        self._chosen[_names_of(sentence)].append(ChosenUnits(bounds, placed, examples))
+        self._chosen.add(_names_of(sentence), ChosenUnits(bounds, placed, examples))
         sounds = []
         for run in _runs_of(cuts):
             start = float(bounds[run[0].placed.unit.first]) + run[0].silent_before
@@ -226,6 +229,40 @@ class OwnSound:
         piece = SoundPiece(samples, pitch_marks(samples, pitches), before, before + last - first, cut.stretch)
         ends = (_pitch_about(pitches, piece.start), _pitch_about(pitches, piece.end))
         return _Piece(piece, ends, cut.energies, cut.placed.kind is UnitKind.CLIP)
+
+
+class _UnitsOnDisk:
+    """What sentences were made of; of each, some bytes stay in memory."""
+
+    def __init__(self) -> None:
+        self._file = tempfile.TemporaryFile()  # noqa: SIM115 - closed below
+        weakref.finalize(self, self._file.close)
+        self._known: defaultdict[int, list[tuple[float, int]]] = defaultdict(list)
+        self._lock = threading.Lock()  # a face is looked up while its next sentence is spoken
+
+    def add(self, names: tuple[str, ...], units: ChosenUnits) -> None:
+        """Keep the units of a sentence."""
+        with self._lock:
+            try:
+                place = self._file.seek(0, os.SEEK_END)
+                pickle.dump(units, self._file)
+                self._file.flush()
+            except OSError as error:
+                raise PerformanceError(
+                    f"{tempfile.gettempdir()}: what the sound is made of cannot be kept there ({reason_of(error)}); "
+                    "free some space"
+                ) from error
+            self._known[hash(names)].append((float(units.bounds[-3] - units.bounds[2]), place))
+
+    def find(self, names: tuple[str, ...], length: float) -> ChosenUnits | None:
+        """Return the units of the sentence of these phones that is the nearest in length, seconds; None for none."""
+        with self._lock:
+            known = self._known.get(hash(names))
+            if known is None:
+                return None
+            self._file.seek(min(known, key=lambda one: abs(one[0] - length))[1])
+            units: ChosenUnits = pickle.load(self._file)  # noqa: S301 - of our own making
+            return units
 
 
 @dataclass(frozen=True)

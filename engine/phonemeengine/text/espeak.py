@@ -328,6 +328,7 @@ class _Library:
         self._path = installed.library
         self._data = None if installed.data is None else os.fsencode(short_path(installed.data, cache_folder()))
         self._names: dict[int, str] = {}
+        self._library: Any = None
         self._open()
         self.languages = self._languages()
         self.variants = tuple(sorted(v.identifier.decode()[3:] for v in self._voices("variant")))
@@ -338,7 +339,7 @@ class _Library:
         So it is loaded again, which takes half a millisecond; where a system keeps it, it counts on.
         """
         self._library.espeak_Terminate()
-        handle, self._library = self._library._handle, None  # noqa: SLF001 - documented by ctypes
+        handle, self._library = self._library._handle, None
         _unload(handle)
         try:
             self._open()
@@ -357,7 +358,7 @@ class _Library:
         library.espeak_ListVoices.restype = ctypes.POINTER(ctypes.POINTER(_VoiceEntry))
         if hasattr(library, "espeak_ng_SetRandSeed"):  # from 1.52 on; of breath, whose seed is the time otherwise
             library.espeak_ng_SetRandSeed(ctypes.c_long(1))
-        self._library: Any = library
+        self._library = library
         self._chosen, self._reads_phonemes = "", False
 
     def choose(self, identifier: str) -> None:

@@ -13690,6 +13690,11 @@
             <translation>{target}: {n} Bytes Binärdaten</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/performance/own_sound.py" />
+            <source>{tempfile}: what the sound is made of cannot be kept there ({error}); free some space</source>
+            <translation>{tempfile}: Woraus der Ton besteht, lässt sich dort nicht speichern ({error}); Platz freigeben</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/speech/program.py" />
             <source>{template}: there is no speech in its sound; try it by itself</source>
             <translation>{template}: In der Audiodatei spricht niemand; für sich ausprobieren</translation>

@@ -1,5 +1,8 @@
 """The recordings of a table say what a voice says: hums, whose smooth waves show each step at a join."""
 
+import gc
+import tracemalloc
+from collections import deque
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
@@ -159,3 +162,15 @@ def test_a_recording_answers_a_key_word_whole(table: PerformanceTable) -> None:
         assert unit.end - unit.start == pytest.approx(0.4)  # from the first to the last phone
         middle = slice(round((unit.start + 0.1) * SAMPLE_RATE), round((unit.end - 0.1) * SAMPLE_RATE))
         assert np.median(pitches_of(said.samples[middle])[4:-4]) == pytest.approx(PITCHES[unit.recording], rel=0.01)
+
+
+def test_what_was_said_takes_no_memory(table: PerformanceTable) -> None:
+    own, sentence = OwnSound(table), spoken(*["ma", "ti", "mi", "tu", "ta"] * 2)
+    kept = []
+    tracemalloc.start()
+    for _ in range(3):
+        deque(own.follow([sentence] * 2), maxlen=0)
+        gc.collect()
+        kept.append(tracemalloc.get_traced_memory()[0])
+    tracemalloc.stop()
+    assert kept[-1] - kept[-2] < 2 * 4000  # bytes
