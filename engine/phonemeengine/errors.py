@@ -21,13 +21,16 @@ EngineError
     ├── UnknownPhonemeError names of sounds that stand for no phoneme
     └── TakeError       takes that cannot be kept or used
 
-Every message is one sentence for the person at the screen: what is wrong, the limit, and what came.
+Every message is one sentence for the person at the screen: what is wrong, the limit, what came, and what to do.
 """
 
 import math
+import textwrap
 from collections.abc import Iterable, Mapping
 
 MOST_SUGGESTED = 3
+MOST_LISTED = 240
+"""Letters of a list of what there is."""
 _SIMILAR = 0.6
 """How alike a word is to one that may have been meant, 0..1, as `difflib` measures it."""
 
@@ -134,7 +137,6 @@ def check_range(
     value: float,
     limits: tuple[float, float, str],
     error: type[EngineError] = SettingsError,
-    remedy: str = "",
 ) -> None:
     """Refuse a number that is not finite, or lies outside its limits.
 
@@ -143,12 +145,11 @@ def check_range(
     what : the number's name, with which the sentence begins.
     limits : the lowest and the highest value, and their unit.
     error : what a refusal is.
-    remedy : how the sentence ends.
     """
     low, high, unit = limits
     if not (math.isfinite(value) and low <= value <= high):
         limit = f"{low:g}..{high:g} {unit}".rstrip()
-        raise error(f"{what} must lie in {limit}, got {value:g}{remedy}")
+        raise error(f"{what} must lie in {limit}, got {value:g}; choose another value")
 
 
 def meant_by(word: str, known: Iterable[str]) -> list[str]:
@@ -173,5 +174,5 @@ def remedy(word: str, known: Iterable[str], whole: str = "choose one of {}") -> 
     names = [*known]
     meant = meant_by(word, names)
     if not meant:
-        return whole.format(", ".join(names))
+        return whole.format(textwrap.shorten(", ".join(names), MOST_LISTED, placeholder=" …"))
     return f"did you mean {', '.join(meant[:-1])}{' or ' if len(meant) > 1 else ''}{meant[-1]}?"

@@ -414,7 +414,7 @@ class AnalysisSettings:
 
     def __post_init__(self) -> None:
         if self.quantise not in QUANTISATIONS:
-            raise SettingsError(f"quantise must be one of 1, 2, 4, got {self.quantise}")
+            raise SettingsError(f"quantise must be one of 1, 2, 4, got {self.quantise}; choose one of them")
         for name, of in PARAMETERS.items():
             if not of.choices:
                 check_range(name, getattr(self, name), of.limits)
@@ -454,7 +454,7 @@ class AnalysisSettings:
     def _check_order(self, lower: str, upper: str) -> None:
         low, high = getattr(self, lower), getattr(self, upper)
         if low > high:
-            raise SettingsError(f"{lower} must not exceed {upper}, got {low:g} above {high:g}")
+            raise SettingsError(f"{lower} must not exceed {upper}, got {low:g} above {high:g}; lower it")
 
     def has(self, step: Filter) -> bool:
         """Return whether a filter is on."""

@@ -53,7 +53,7 @@ class Groups:
             validation, reserved = (frozenset(told.get(name, ())) & set(names) for name in ("validation", "reserved"))
         except (tomllib.TOMLDecodeError, TypeError) as error:
             raise CorpusError(
-                f"{path.name}: groups are two lists of names in TOML, validation and reserved ({error})"
+                f"{path.name}: groups are two lists of names in TOML, validation and reserved ({error}); correct it"
             ) from error
         if validation:
             return cls(validation, reserved - validation)

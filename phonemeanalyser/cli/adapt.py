@@ -145,7 +145,7 @@ def _read_aloud(options: argparse.Namespace) -> list[LabelledUtterance]:
     texts = SpokenTexts.of(given(options), sounds, say_note)
     if options.line is not None:
         if options.text is not None or options.script is not None:
-            options.parser.error("--line goes without --text and --script: it is what is read")
+            options.parser.error("--line is itself the text; leave --text and --script out")
         return [read_sentence(sound, sentences_in(options.line)[0], options.channel) for sound in sounds]
     if texts is NO_TEXTS:
         return []

@@ -51,6 +51,7 @@ class CommandParser(argparse.ArgumentParser):
 
     @override
     def error(self, message: str) -> NoReturn:
+        message = message.removeprefix("argument ")
         end = " See" if message.endswith("?") else "; see"
         self.exit(2, f"{self.prog}: {message}{end} {self.prog} --help\n")
 

@@ -1,16 +1,17 @@
 """``phonemeanalyser measure``: the measures of a selection of a sound; and the selection as sound or spectrum."""
 
 import argparse
+import math
 import sys
 from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import HEARD, add_options, number
+from phonemeanalyser.cli.arguments import HEARD, add_options, number_in
 from phonemeanalyser.cli.jobs import file_preset
 from phonemeengine import SoundReader, measure
 from phonemeengine.audio.wav import check_wav_name
-from phonemeengine.dsp.formants import CEILING
+from phonemeengine.dsp.formants import CEILING, HIGHEST_CEILING, LOWEST_CEILING
 from phonemeengine.inspection.averaged_spectrum import FORMAT, format_averaged_spectrum
 from phonemeengine.inspection.measurement import MEASUREMENT_COLUMNS, format_measurement, save_stretch
 from phonemeengine.inspection.speaker_spectra import average_spectrum
@@ -30,17 +31,26 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is measured, and where that goes."""
     parser.add_argument("sound", type=Path, metavar="SOUND", help="audio file")
     parser.add_argument(
-        "--from", type=number, default=0.0, dest="start", metavar="S", help="start, seconds (default: 0)"
+        "--from",
+        type=number_in(0, math.inf, "s"),
+        default=0.0,
+        dest="start",
+        metavar="S",
+        help="start, seconds (default: 0)",
     )
     parser.add_argument(
-        "--to", type=number, dest="end", metavar="S", help="end, seconds (default: the end of the file)"
+        "--to",
+        type=number_in(0, math.inf, "s"),
+        dest="end",
+        metavar="S",
+        help="end, seconds (default: the end of the file)",
     )
     parser.add_argument("-o", "--out", type=Path, metavar="OUT", help="table, .csv (default: print)")
     parser.add_argument("--sound-out", type=Path, metavar="WAV", help="write this part as an audio file")
     parser.add_argument("--spectrum-out", type=Path, metavar="CSV", help="write its averaged spectrum")
     parser.add_argument(
         "--ceiling",
-        type=number,
+        type=number_in(LOWEST_CEILING, HIGHEST_CEILING, "Hz"),
         default=CEILING,
         metavar="HZ",
         help=f"highest frequency of formants (default: {CEILING:g})",

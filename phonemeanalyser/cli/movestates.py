@@ -8,7 +8,6 @@ from pathlib import Path
 from phonemeanalyser.cli.arguments import add_examples, add_options, file_place, number_in
 from phonemeengine import (
     MeshError,
-    MorphMesh,
     MorphTargets,
     Movestate,
     load_head,
@@ -115,7 +114,7 @@ def run(options: argparse.Namespace) -> int:
 
 def _export(options: argparse.Namespace) -> Iterator[str]:
     Guard(nothing_is_own, options.overwrite).check(options.out)
-    base = _morph_mesh_of(options.base)
+    base = load_morph_mesh(options.base)
     states = deformed_states(base, options.targets)
     if not states:
         raise MeshError(f"{options.base.name}: there are no morph targets in it; name the files of targets after it")
@@ -126,7 +125,7 @@ def _export(options: argparse.Namespace) -> Iterator[str]:
 
 def _map(options: argparse.Namespace) -> Iterator[str]:
     Guard(nothing_is_own, options.overwrite).check(options.out)
-    names = [state.name for state in _morph_mesh_of(options.face).states]
+    names = [state.name for state in load_morph_mesh(options.face).states]
     mapping = guess_mapping(names, options.basis)
     if not mapping.targets:
         raise MeshError(
@@ -143,8 +142,8 @@ def _map(options: argparse.Namespace) -> Iterator[str]:
 
 def _info(options: argparse.Namespace) -> Iterator[str]:
     path: Path = options.file
-    if path.suffix.lower() not in TARGET_SUFFIXES:
-        morph_mesh = _morph_mesh_of(path)
+    if path.suffix.lower() in MESH_SUFFIXES or str(path) in {*Head}:
+        morph_mesh = load_morph_mesh(path)
         mesh = morph_mesh.mesh
         yield f"{path.name}: {_many(len(mesh), 'vertex')}, {_many(len(mesh.triangles), 'triangle')}, " + _many(
             len(mesh.materials), "material"
@@ -159,18 +158,14 @@ def _info(options: argparse.Namespace) -> Iterator[str]:
 def _convert(options: argparse.Namespace) -> Iterator[str]:
     Guard(nothing_is_own, options.overwrite).check(options.out)
     targets = _targets_of(options.source)
-    morph_mesh = _morph_mesh_of(options.source) if options.source.suffix.lower() not in TARGET_SUFFIXES else None
+    morph_mesh = load_morph_mesh(options.source) if options.source.suffix.lower() not in TARGET_SUFFIXES else None
     if options.mesh is not None:
-        morph_mesh = _morph_mesh_of(options.mesh)
+        morph_mesh = load_morph_mesh(options.mesh)
         as_it_was, targets = targets, matched(targets, morph_mesh.mesh, options.tolerance)
         if targets is not as_it_was:
             yield f"{options.source.name}: the vertices are renumbered as {options.mesh.name} has them"
     save_morph_targets(targets, options.out, morph_mesh)
     yield _summary(options.out, targets)
-
-
-def _morph_mesh_of(path: Path) -> MorphMesh:
-    return load_morph_mesh(path)
 
 
 def _targets_of(path: Path) -> MorphTargets:

@@ -18,7 +18,6 @@ from phonemeanalyser.reports.report import Report, ScoredPreset
 from phonemeengine import (
     AudioError,
     Channel,
-    CorpusError,
     EngineError,
     LabelledUtterance,
     ModelKind,
@@ -152,9 +151,6 @@ def _write_numbers(presets: Sequence[Named], utterances: Sequence[LabelledUttera
 def _recordings_in(
     folder: Path, mapping: PhonemeMap | None, channel: Channel, troubles: list[str]
 ) -> tuple[LabelledUtterance, ...]:
-    if not folder.exists():
-        raise CorpusError(f"{printable(str(folder))}: there is no such folder; name one with labelled recordings")
-
     def refuse(error: AudioError) -> None:
         troubles.append(str(error))
         tqdm.write(f"phonemeanalyser: {error}", file=sys.stderr)

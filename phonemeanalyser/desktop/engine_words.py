@@ -392,7 +392,7 @@ SENTENCES = (
     tr_noop("rules need labels of at least two sounds, and the recordings have only {only}; load some with others"),
     tr_noop("a fit needs labels of at least two sounds, and the recordings have only {only}; load some with others"),
     tr_noop("a rule for {label} asks for the variable {variable}, which is not measured; add it, or change the rule"),
-    tr_noop("the sensitivity for {label} must lie within ±{most_log_odds}, got {value}"),
+    tr_noop("the sensitivity for {label} must lie within ±{most_log_odds}, got {value}; choose another value"),
     tr_noop("nothing that is loaded is clearly labelled {phonemes}; load recordings that have it"),
     tr_noop("{name} reads 0, since the mel filter bank is off; switch Mel on."),
     tr_noop("{name} reads 0, since it begins at {low} Hz and the low-pass ends at {end} Hz; raise the low-pass."),

@@ -55,7 +55,7 @@ class SoundTrack:
 def why_no_film(size: tuple[int, int], *, transparent: bool = False) -> str:
     """Return in a sentence why no .mp4 of this size can be written; empty if it can."""
     if transparent:
-        return "an .mp4 has no transparent ground; name a .gif, or a folder for .png"
+        return "an .mp4 cannot have a transparent background; name a .gif, or a folder for .png"
     if size[0] % 2 or size[1] % 2:
         return f"an .mp4 has an even width and height, got {size[0]}x{size[1]}; choose another size"
     try:

@@ -183,7 +183,8 @@ def _object_in(message: str, known: tuple[str, ...]) -> Mapping[str, Any]:
     except (ValueError, RecursionError):
         told = None
     if not isinstance(told, dict):
-        raise RefusedError(f"a message in words must be a JSON object with {', '.join(known)}, got {_shown(message)}")
+        words = f"a message in words must be a JSON object with {', '.join(known)}"
+        raise RefusedError(f"{words}, got {_shown(message)}; correct it")
     for key in told:
         if key not in known:
             raise RefusedError(f"there is no {_shown(key)} in such a message; it may have {', '.join(known)}")
@@ -193,14 +194,15 @@ def _object_in(message: str, known: tuple[str, ...]) -> Mapping[str, Any]:
 def _value(told: Mapping[str, Any], key: str, kind: type[_T], usual: _T) -> _T:
     value = told.get(key, usual)
     if not isinstance(value, kind) or isinstance(value, bool):
-        raise RefusedError(f"{key} must be {'a whole number' if kind is int else 'a text'}, got {_shown(value)}")
+        must = "a whole number" if kind is int else "a text"
+        raise RefusedError(f"{key} must be {must}, got {_shown(value)}; correct it")
     return value
 
 
 def _switch(told: Mapping[str, Any], key: str) -> bool:
     value = told.get(key, False)
     if not isinstance(value, bool):
-        raise RefusedError(f"{key} must be true or false, got {_shown(value)}")
+        raise RefusedError(f"{key} must be true or false, got {_shown(value)}; correct it")
     return value
 
 

@@ -117,11 +117,11 @@ def test_what_the_voice_reads_needs_no_note(
             HEAD + '[words]\nZug = "%&"\n',
             "l.toml, [words]: 'Zug' has no IPA, found '%' in '%&'; correct it",
         ),
-        ("l.csv", "word\nZug\n", "l.csv: it lacks the column ipa; it needs word, ipa"),
+        ("l.csv", "word\nZug\n", "l.csv: it lacks the column ipa; give it the columns word, ipa"),
         ("l.csv", "word,ipa\nZug,\n", "l.csv, line 2: 'Zug' has no sounds, found ''; write its IPA"),
         ("l.csv", "word,ipa\nZug\0,a\n", "l.csv"),
         ("l.csv", "\xff", "l.csv"),
-        ("none.toml", None, "none.toml: cannot be read (No such file or directory); check the file"),
+        ("none.toml", None, "none.toml: there is no such file; check its name and folder"),
     ],
 )
 @pytest.mark.parametrize("command", ["analyse"], indirect=True)

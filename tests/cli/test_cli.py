@@ -150,7 +150,7 @@ NO_TABLE = "gone: there is no such mouth table; name a file, or one of"
 @pytest.mark.parametrize(
     ("command", "sentence"),
     [
-        *((f"{command} --preset gone.toml", "gone.toml: cannot be read") for command in PRESETS),
+        *((f"{command} --preset gone.toml", "gone.toml: there is no such file") for command in PRESETS),
         *((f"{command} --table gone", NO_TABLE) for command in TABLES),
     ],
 )
@@ -175,13 +175,13 @@ def test_help_is_given(words: list[str], capsys: pytest.CaptureFixture[str]) -> 
         (["analyse", "x.wav", "--fromat", "csv"], "analyse: '--fromat' is unknown; did you mean --format?"),
         (
             ["analyse", "x.wav", "--format", "jsn"],
-            "analyse: argument --format: there is no 'jsn'; did you mean json?",
+            "analyse: --format: there is no 'jsn'; did you mean json?",
         ),
         (["exprot", "x.wav"], "there is no command 'exprot'; did you mean export?"),
-        (["movestates", "inof", "x"], "movestates: argument WHAT: there is no 'inof'; did you mean info?"),
+        (["movestates", "inof", "x"], "movestates: WHAT: there is no 'inof'; did you mean info?"),
         (
             ["export", "x.wav", "--format", "rhubarb"],
-            "export: argument --format: there is no 'rhubarb'; did you mean rhubarb-tsv, rhubarb-xml or rhubarb-json",
+            "export: --format: there is no 'rhubarb'; did you mean rhubarb-tsv, rhubarb-xml or rhubarb-json",
         ),
         (
             ["export", "x.wav", "-o", "x.json"],

@@ -190,10 +190,10 @@ def test_two_sounds_of_one_name_do_not_overwrite_each_other(
         (("--format", "gltf"), "gltf is no text to be printed; name a file or a folder with -o"),
         (
             ("--format", "gltf", "--mesh", "a.glb", "-o", "o.glb"),
-            "a.glb: cannot be read (No such file or directory)",
+            "a.glb: there is no such file; check its name and folder",
         ),
         (("--format", "anno", "--keys", "auto"), "anno holds no edited keys; leave them out, or choose livelink-csv"),
-        (("--format", "gltf", "-o", "o.glb", "--keys", "gone.keys.toml"), "gone.keys.toml: cannot be read"),
+        (("--format", "gltf", "-o", "o.glb", "--keys", "gone.keys.toml"), "gone.keys.toml: there is no such file"),
         (("--format", "anno", "--fps", "25"), "anno counts no frames, so it has no frame rate; leave it out"),
         (("--format", "anno", "--minimum", "7"), "minimum must lie in 0..1 s, got 7; choose another"),
         (("--format", "anno", "--anticipation", "1"), "anticipation must lie in 0..0.12 s, got 1; choose another"),

@@ -42,3 +42,18 @@ def test_leaves_files_of_others_alone(tmp_path: Path, option: str, capsys: pytes
 def test_a_stretch_beyond_the_sound_is_one_sentence(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["measure", str(DEMO), "--from", "900", "--to", "901"]) != 0
     assert "there is no sound from 900 to 901 s" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("option", "sentence"),
+    [
+        (("--ceiling", "10"), "--ceiling: must be a number in 3000..10000 Hz, got '10'"),
+        (("--from", "-1"), "--from: must be a number of 0 s or more, got '-1'"),
+    ],
+)
+def test_a_number_out_of_range_is_one_sentence(
+    option: tuple[str, str], sentence: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit):
+        main(["measure", str(DEMO), *option])
+    assert sentence in capsys.readouterr().err

@@ -133,7 +133,7 @@ REFUSED = {
     "the base again": (("export", "base.obj", "same.obj", "-o", "a.3dm"), "same.obj: no vertex moves"),
     "twice": (("export", "base.obj", "smile.obj", "smile.obj", "-o", "a.3dm"), "two movestates are called 'smile'"),
     "garbage": (("info", "garbage.3dm"), "garbage.3dm: a .3dm file begins with"),
-    "missing": (("info", "missing.glb"), "missing.glb: cannot be read (No such file or directory)"),
+    "missing": (("info", "missing.glb"), "missing.glb: there is no such file; check its name and folder"),
     "unknown ending": (("info", "face.fbx"), "face.fbx: FBX cannot be read; open it in Blender"),
     "a mesh alone": (("convert", "base.obj", "a.3dm"), "this is a mesh without morph targets"),
     "elsewhere": (("convert", "good.3dm", "b.3dm", "--mesh", "far.obj"), "2 of the 2 vertices that move are not in"),

@@ -175,7 +175,7 @@ def test_a_mesh_is_moved_by_a_file_of_movestates(sound: Path, tmp_path: Path):
         (("-o", "old"), "old: there are pictures already; name another folder, or replace them with --overwrite"),
         (("-o", "full/mine/a"), "full/mine/a: cannot be written ("),
         (("-o", "full/mine/a.mp4"), "full/mine/a.mp4: cannot be written ("),
-        (("-o", "a", "--mesh", "gone.obj"), "gone.obj: cannot be read (No such file or directory); check the file"),
+        (("-o", "a", "--mesh", "gone.obj"), "gone.obj: there is no such file; check its name and folder"),
         (("-o", "a", "--movestates", "f.3dm"), "f.3dm: movestates move a mesh of their own; name it with --mesh"),
         (("-o", "a", "--mesh", "cube.obj"), "cube.obj: there are no morph targets in it; name its movestates with"),
         (

@@ -267,7 +267,7 @@ def test_a_folder_that_is_not_there_or_holds_nothing_is_refused(
     assert "there is no such folder" in refused(capsys, "score", tmp_path / "gone")
     assert "no labelled sound was found here" in refused(capsys, "score", tmp_path)
     write_manifest(tmp_path, [])
-    assert "at least one" in refused(capsys, "score", tmp_path)
+    assert "no row under the header; add one" in refused(capsys, "score", tmp_path)
 
 
 def test_names_that_nobody_knows_are_mapped(

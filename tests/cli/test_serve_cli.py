@@ -44,7 +44,7 @@ def test_it_serves_until_it_is_ended(ending: signal.Signals) -> None:
     ("words", "sentence"),
     [
         (["--host", "0.0.0.0"], "0.0.0.0 can be reached from other machines, so a token is needed"),
-        (["--token-file", "nothing.txt"], "nothing.txt: cannot be read"),
+        (["--token-file", "nothing.txt"], "nothing.txt: there is no such file"),
         (["--preset", "nothing"], "nothing: there is no such preset"),
         (["--host", "no.such.host.invalid", "--token-file", "TOKEN"], "cannot be served"),
     ],
@@ -68,7 +68,7 @@ def test_limits_that_are_none_are_refused(words: list[str], capsys: pytest.Captu
     with pytest.raises(SystemExit) as ended:
         main(["serve", *words])
     assert ended.value.code == 2
-    assert f"argument {words[0]}: must be a" in capsys.readouterr().err
+    assert f"{words[0]}: must be a" in capsys.readouterr().err
 
 
 def test_packages_that_are_missing_are_named(

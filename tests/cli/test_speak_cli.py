@@ -66,7 +66,7 @@ def test_what_is_left_out_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[
         (["Hallo", "--language", "xx"], "no voice speaks"),
         (["Привет", "--language", "de"], "another script"),
         (["Hallo", "--language", "de", "--voice", "xx"], "no voice 'xx'"),
-        (["Hallo", "--language", "de", "--rate", "99"], "rate of a voice"),
+        (["Hallo", "--language", "de", "--rate", "99"], "the rate must lie in"),
         (["Hallo", "--program", "nothing"], "where the sound goes"),
     ],
 )

@@ -153,9 +153,9 @@ def test_the_memory_of_a_silent_text_does_not_grow_with_it(tmp_path: Path) -> No
         ),
         (["你好", "--silent", "--plan", "-", "--rate", "11"], "the rate must lie in 0.5..10 syllables per second"),
         (["你好", "--silent", "--plan", "-", "--spring", "1,2"], "a spring is MASS,STIFFNESS,DAMPING, such as"),
-        (["你好", "--silent", "--plan", "-", "--pinyin-table", "none.toml"], "none.toml: cannot be read"),
-        (["--file", "none.txt", "--silent", "--plan", "-"], "none.txt: cannot be read"),
-        (["--recording", str(DEMO), "--plan", "-"], "demo.TextGrid: cannot be read"),
+        (["你好", "--silent", "--plan", "-", "--pinyin-table", "none.toml"], "none.toml: there is no such file"),
+        (["--file", "none.txt", "--silent", "--plan", "-"], "none.txt: there is no such file"),
+        (["--recording", str(DEMO), "--plan", "-"], "demo.TextGrid: there is no such file"),
     ],
 )
 def test_what_cannot_be_spoken_is_refused_in_one_sentence(

@@ -367,7 +367,7 @@ def test_a_clip_is_the_one_that_the_command_makes(dialog, folder, tmp_path, qtbo
     assert not (folder / "one-pictures" / "000999.png").exists()
     choose(dialog, "clip-mp4")
     QTest.mouseClick(dialog.start, LEFT)
-    assert dialog.told.text().startswith("an .mp4 has no transparent ground")
+    assert dialog.told.text().startswith("an .mp4 cannot have a transparent background")
 
 
 def test_better_work_of_the_command_line_is_not_replaced_unasked(dialog, folder, qtbot):

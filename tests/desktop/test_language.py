@@ -396,7 +396,12 @@ BAD_FILES: tuple[tuple[Callable[[Path], object], str, bytes, str], ...] = (
         "none.TextGrid: Keine Intervallspur mit Beschriftungen, gefunden",
     ),
     (read_labels, "cut.TextGrid", NO_TIERS[:53].encode(), "cut.TextGrid, Zeile 4: das Ende muss eine Zahl sein"),
-    (read_labels, "table.csv", b"a,b\n1,2", "table.csv: Die Spalte start_s fehlt; nötig sind start_s, end_s, phone"),
+    (
+        read_labels,
+        "table.csv",
+        b"a,b\n1,2",
+        "table.csv: Die Spalte start_s fehlt; mit den Spalten start_s, end_s, phone",
+    ),
     (load_lexicon, "own.csv", b"word,ipa\nhello,QQ\n", "own.csv, Zeile 2: 'hello' ist nicht in IPA geschrieben"),
     (
         load_averaged_spectrum,

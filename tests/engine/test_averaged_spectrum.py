@@ -349,8 +349,8 @@ def test_a_missing_file_a_folder_and_an_endless_file_are_refused(tmp_path: Path)
     (tmp_path / "folder.csv").mkdir()
     with (tmp_path / "endless.csv").open("wb") as file:
         file.truncate(5 << 20)
-    assert "cannot be read" in refusal_of(tmp_path / "missing.csv")
-    assert "cannot be read" in refusal_of(tmp_path / "folder.csv")
+    assert "there is no such file" in refusal_of(tmp_path / "missing.csv")
+    assert "this is a folder" in refusal_of(tmp_path / "folder.csv")
     assert "has at most 4 MB" in refusal_of(tmp_path / "endless.csv")
 
 

@@ -89,7 +89,7 @@ def test_a_place_where_nothing_can_be_written_is_named_in_a_sentence(tmp_path, d
 
 def test_what_cannot_be_read_is_named_in_a_sentence(tmp_path):
     path = tmp_path / "a.txt"
-    with pytest.raises(CurveError, match=r"^a\.txt: cannot be read \(No such .*\); check the file$"):
+    with pytest.raises(CurveError, match=r"^a\.txt: there is no such file; check its name and folder$"):
         read_file(path, 1 << 20, "a curve", CurveError)
     path.write_bytes(bytes(1 << 20))
     assert len(read_file(path, 1 << 20, "a curve", CurveError)) == 1 << 20

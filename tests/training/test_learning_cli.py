@@ -183,7 +183,7 @@ def test_who_names_neither_takes_nor_a_room_is_told_so(capsys):
     ("arguments", "words"),
     [
         (["takes", "-o", "x.txt"], "x.txt: an adapted preset's file ends in .toml; name it so"),
-        (["nowhere", "-o", "x.toml"], "nowhere: no labelled sound was found here; put a "),
+        (["nowhere", "-o", "x.toml"], "nowhere: there is no such folder; name one with "),
         (
             ["-o", "x.toml", "--background-noise", "takes/take0.wav"],
             "take0.wav: The background noise was as loud as a voice (-1",
@@ -290,7 +290,7 @@ def test_a_training_does_not_take_over_another_that_was_begun(corpus, tmp_path, 
     ("arguments", "words"),
     [
         (["corpus", "-o", "model.bin"], "model.bin: a model's file ends in .npz; name it so"),
-        (["nowhere", "-o", "m.npz"], "manifest.csv: cannot be read"),
+        (["nowhere", "-o", "m.npz"], "manifest.csv: there is no such file"),
     ],
 )
 def test_what_cannot_be_trained_is_refused_in_one_sentence(tmp_path, monkeypatch, capsys, arguments, words):

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from phonemeengine.errors import DeviceError, SettingsError
+from phonemeengine.errors import DeviceError, check_range
 
 LOWEST_LATENCY, HIGHEST_LATENCY = 0.01, 1.0
 """Latencies that may be asked for, seconds."""
@@ -64,14 +64,10 @@ class InputChoice:
     latency: float = 0.08
 
     def __post_init__(self) -> None:
-        if not 0 <= self.channel <= MOST_CHANNELS:
-            raise SettingsError(f"the channel must lie in 0..{MOST_CHANNELS}, got {self.channel}")
-        if not LOWEST_LATENCY <= self.latency <= HIGHEST_LATENCY:
-            raise SettingsError(
-                f"the latency must lie in {LOWEST_LATENCY}..{HIGHEST_LATENCY} s, got {self.latency:g}"
-            )
-        if self.rate and not LOWEST_RATE <= self.rate <= HIGHEST_RATE:
-            raise SettingsError(f"the sample rate must lie in {LOWEST_RATE}..{HIGHEST_RATE} Hz, got {self.rate}")
+        check_range("the channel", self.channel, (0, MOST_CHANNELS, ""))
+        check_range("the latency", self.latency, (LOWEST_LATENCY, HIGHEST_LATENCY, "s"))
+        if self.rate:
+            check_range("the sample rate", self.rate, (LOWEST_RATE, HIGHEST_RATE, "Hz"))
 
     @property
     def n_channels(self) -> int:

@@ -8,7 +8,7 @@ from typing import Any, BinaryIO
 from typing_extensions import override
 
 from phonemeengine.errors import AudioError
-from phonemeengine.storage.files import reason_of
+from phonemeengine.storage.files import is_folder, why_unreadable
 
 
 def open_checked(path: Path, name: str) -> BinaryIO:
@@ -19,17 +19,11 @@ def open_checked(path: Path, name: str) -> BinaryIO:
     AudioError : it is missing, a folder, a device, or not permitted.
     """
     try:
-        if path.is_dir():
-            raise AudioError(f"{name}: this is a folder, not an audio file; choose a file in it")
-        if path.exists() and not path.is_file():
+        if path.exists() and not path.is_file() and not is_folder(path):
             raise AudioError(f"{name}: this is a device, not an audio file; choose a file")
         file = path.open("rb")
-    except FileNotFoundError as error:
-        raise AudioError(f"{name}: there is no such file; check its name and folder") from error
-    except PermissionError as error:
-        raise AudioError(f"{name}: reading it is not permitted; change its permissions or copy it") from error
     except (OSError, ValueError) as error:
-        raise AudioError(f"{name}: it cannot be opened ({reason_of(error)}); check its name and folder") from error
+        raise AudioError(f"{name}: {why_unreadable(path, error)}") from error
     return file
 
 

@@ -12,7 +12,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import mono_of
 from phonemeengine.audio.ogg_opus import OPUS_RATE, OggOpusDecoder
 from phonemeengine.audio.resampling import HIGHEST_RATE, LOUDEST, LOWEST_RATE, Resampler
-from phonemeengine.errors import AudioError
+from phonemeengine.errors import AudioError, check_range
 from phonemeengine.settings import SAMPLE_RATE, Channel
 
 MOST_STREAM_CHANNELS = 8
@@ -53,8 +53,7 @@ class StreamFormat:
     n_channels: int = 1
 
     def __post_init__(self) -> None:
-        if not LOWEST_RATE <= self.rate <= HIGHEST_RATE:
-            raise AudioError(f"the sample rate must lie in {LOWEST_RATE}..{HIGHEST_RATE} Hz, got {self.rate}")
+        check_range("the sample rate", self.rate, (LOWEST_RATE, HIGHEST_RATE, "Hz"), AudioError)
         if not 1 <= self.n_channels <= MOST_STREAM_CHANNELS:
             raise AudioError(
                 f"a stream has 1..{MOST_STREAM_CHANNELS} channels, got {self.n_channels}; send fewer, or mix them"

@@ -8,7 +8,7 @@ import soxr
 from numpy.typing import ArrayLike
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.errors import AudioError
+from phonemeengine.errors import AudioError, check_range
 from phonemeengine.settings import SAMPLE_RATE
 
 
@@ -108,8 +108,7 @@ class SampleIntake:
     """
 
     def __init__(self, rate: int, *, steady: bool = False) -> None:
-        if not LOWEST_RATE <= rate <= HIGHEST_RATE:
-            raise AudioError(f"the sample rate must lie in {LOWEST_RATE}..{HIGHEST_RATE} Hz, got {rate}")
+        check_range("the sample rate", rate, (LOWEST_RATE, HIGHEST_RATE, "Hz"), AudioError)
         self.rate = rate
         self.n_replaced = 0
         self._n_in = self._n_out = 0

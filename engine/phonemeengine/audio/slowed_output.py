@@ -11,7 +11,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.output import AHEAD, Output
-from phonemeengine.errors import DeviceError, SettingsError
+from phonemeengine.errors import DeviceError, check_range
 
 SLOWEST = 0.25
 """Of the usual speed; slower speech falls apart."""
@@ -35,8 +35,7 @@ class SlowedOutput:
     """
 
     def __init__(self, output: Output, n_channels: int, speed: float) -> None:
-        if not SLOWEST <= speed <= 1:
-            raise SettingsError(f"the speed must lie in {SLOWEST}..1, got {speed:g}")
+        check_range("the speed", speed, (SLOWEST, 1, ""))
         self.name, self.is_card = output.name, output.is_card
         self._output = output
         self._n_channels = n_channels

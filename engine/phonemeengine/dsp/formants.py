@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.audio.resampling import resample_whole
+from phonemeengine.errors import check_range
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE
 
 CEILING = 5500.0
@@ -58,10 +59,9 @@ def formants_of(
 
     Raises
     ------
-    ValueError : the ceiling is outside of its range.
+    SettingsError : the ceiling lies outside its range.
     """
-    if not LOWEST_CEILING <= ceiling <= HIGHEST_CEILING:
-        raise ValueError(f"the ceiling must lie in {LOWEST_CEILING:g}..{HIGHEST_CEILING:g} Hz, got {ceiling:g}")
+    check_range("the ceiling", ceiling, (LOWEST_CEILING, HIGHEST_CEILING, "Hz"))
     # Burg's method spends its poles on the whole band, so the band must end at the ceiling: then two poles, a
     # conjugate pair, are left for each of the five formants.
     rate = round(2 * ceiling)

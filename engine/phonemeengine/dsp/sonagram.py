@@ -14,7 +14,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.dsp.mel import frequency_of, mel_of
-from phonemeengine.errors import SettingsError
+from phonemeengine.errors import SettingsError, check_range
 from phonemeengine.settings import SAMPLE_RATE
 
 WIDE_BAND, NARROW_BAND = 0.006, 0.03
@@ -60,14 +60,13 @@ class SonagramSettings:
     n_rows: int = 256
 
     def __post_init__(self) -> None:
-        if not 0.002 <= self.window <= 0.2:
-            raise SettingsError(f"the window of a sonagram must last 0.002..0.2 s, got {self.window:g}")
+        check_range("the window", self.window, (0.002, 0.2, "s"))
         if not 0 <= self.low < self.high <= SAMPLE_RATE / 2:
             raise SettingsError(
-                f"a sonagram must rise within 0..{SAMPLE_RATE / 2:g} Hz, got {self.low:g} to {self.high:g}"
+                f"a sonagram must rise within 0..{SAMPLE_RATE / 2:g} Hz, got {self.low:g} to {self.high:g}; "
+                "choose other limits"
             )
-        if not 2 <= self.n_rows <= 4096:
-            raise SettingsError(f"a sonagram must have 2..4096 rows, got {self.n_rows}")
+        check_range("the number of rows", self.n_rows, (2, 4096, ""))
 
     @property
     def n_samples(self) -> int:

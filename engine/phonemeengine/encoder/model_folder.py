@@ -143,7 +143,8 @@ def fetch_whisper() -> Path:
         from huggingface_hub import snapshot_download  # noqa: PLC0415 - it is an extra
     except ImportError as error:
         raise ModelError(
-            'fetching needs huggingface_hub; pip install "phonemeanalyser[whisper]", or name a folder'
+            "fetching needs the package huggingface_hub, which is missing; pip install "
+            '"phonemeanalyser[whisper]", or name a folder'
         ) from error
     own = _fetched().parent
     try:

@@ -44,7 +44,7 @@ def open_session(model: Path | bytes, n_threads: int) -> Any:
     try:
         return onnxruntime.InferenceSession(source, options, providers=["CPUExecutionProvider"])
     except Exception as error:  # the library raises its own, which have nothing but Exception in common
-        raise ModelError(f"the network cannot be opened ({first_line(error)})") from error
+        raise ModelError(f"the network cannot be opened ({first_line(error)}); get it anew") from error
 
 
 def first_line(error: Exception) -> str:

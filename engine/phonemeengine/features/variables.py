@@ -71,12 +71,13 @@ class Variable:
     def __post_init__(self) -> None:
         if not _NAME.fullmatch(self.name):
             raise SettingsError(
-                f"a variable's name must be lower-case letters, digits and underscores, got {self.name[:60]!r}"
+                f"a variable's name must be lower-case letters, digits and underscores, got {self.name[:60]!r}; "
+                "rename it"
             )
         if not 0 <= self.low <= self.high <= SAMPLE_RATE / 2:
             raise SettingsError(
                 f"{self.name} must range within 0..{SAMPLE_RATE / 2:g} Hz and upwards, "
-                f"got {self.low:g}..{self.high:g} Hz"
+                f"got {self.low:g}..{self.high:g} Hz; correct it"
             )
 
     def bins(self, n_bins: int) -> slice:

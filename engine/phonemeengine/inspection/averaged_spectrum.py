@@ -260,12 +260,12 @@ def load_averaged_spectrum(path: Path) -> AveragedSpectrum:
     try:
         return _parse(lines)
     except ValueError as error:
-        raise CurveError(f"{path.name}: {error}") from error
+        raise CurveError(f"{path.name}: {error}; choose a file saved by Save Curve") from error
 
 
 def _parse(lines: list[str]) -> AveragedSpectrum:
     if not lines or lines[0].strip() != f"# {FORMAT}":
-        raise ValueError(f"a curve begins with the line '# {FORMAT}'; choose a file saved by Save Curve")
+        raise ValueError(f"a curve begins with the line '# {FORMAT}', this does not")
     comments = [line[1:].partition(":") for line in lines[1:] if line.startswith("#")]
     header = {key.strip(): value.strip() for key, _, value in comments}
     rows = [line for line in lines if not line.startswith("#")]

@@ -56,9 +56,9 @@ def rows_of(text: str, columns: tuple[str, ...], file: str) -> list[tuple[int, d
         raise CorpusError(f"{file}: it cannot be read as CSV ({error}); check the file") from error
     missing = [name for name in columns if name not in header]
     if missing:
-        raise CorpusError(f"{file}: it lacks the column {missing[0]}; it needs {', '.join(columns)}")
+        raise CorpusError(f"{file}: it lacks the column {missing[0]}; give it the columns {', '.join(columns)}")
     if not rows:
-        raise CorpusError(f"{file}: there is no row under the header; it needs at least one")
+        raise CorpusError(f"{file}: there is no row under the header; add one")
     return rows
 
 

@@ -9,7 +9,7 @@ from itertools import islice
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array, ShortRepr
-from phonemeengine.errors import MouthError
+from phonemeengine.errors import MouthError, check_range
 from phonemeengine.mouth.blendshape_names import EYELIDS
 from phonemeengine.mouth.cues import MOST_ANTICIPATION, check_seconds
 from phonemeengine.mouth.key_layer import KeyLayer
@@ -217,11 +217,7 @@ def check_rate(rate: float) -> None:
     ------
     MouthError : it is.
     """
-    if not LOWEST_RATE <= rate <= HIGHEST_RATE:
-        raise MouthError(
-            f"the frame rate must lie in {LOWEST_RATE:g}..{HIGHEST_RATE:g} frames per second, got {rate:g}; "
-            "choose another"
-        )
+    check_range("the frame rate", rate, (LOWEST_RATE, HIGHEST_RATE, "frames per second"), MouthError)
 
 
 def _faces(performer: Performer, speech: Transcript, times: Float64Array) -> Iterator[FaceState]:

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import NamedTuple
 
-from phonemeengine.errors import MouthError
+from phonemeengine.errors import MouthError, check_range
 from phonemeengine.labels.articulation import narrowest
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import VOWELS, Phoneme
@@ -108,8 +108,7 @@ def check_seconds(name: str, value: float, most: float) -> None:
     ------
     MouthError : it does.
     """
-    if not 0 <= value <= most:
-        raise MouthError(f"{name} must lie in 0..{most:g} s, got {value:g}; choose another")
+    check_range(name, value, (0, most, "s"), MouthError)
 
 
 def _cue_of(run: Segment, table: MouthTable) -> Cue:

@@ -236,7 +236,7 @@ class Percentages(Generic[Name]):
         try:
             return self._places[name]
         except KeyError:
-            raise MeshError(f"there is no movestate {str(name)!r}; known are {_listed(self._places)}") from None
+            raise MeshError(f"there is no movestate {str(name)!r}; choose one of {_listed(self._places)}") from None
 
 
 def _check(name: Hashable, percent: float) -> None:

@@ -73,7 +73,9 @@ class OscAddress:
         host, colon, port = text.rpartition(":")
         host = host.strip("[]")
         if not (colon and host and port.isascii() and port.isdecimal() and len(port) < 6 and 0 < int(port) < 65536):
-            raise MouthError(f"an OSC receiver is HOST:PORT, such as 127.0.0.1:39539, found {text[:60]!r}")
+            raise MouthError(
+                f"an OSC receiver is HOST:PORT, such as 127.0.0.1:39539, found {text[:60]!r}; correct it"
+            )
         return cls(host, int(port))
 
 

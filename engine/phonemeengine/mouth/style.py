@@ -91,7 +91,7 @@ class Style:
     def __post_init__(self) -> None:
         named = {name: getattr(self, name) for name in AMOUNTS} | dict(self.reductions)
         for name, value in named.items():
-            check_range(name, value, (0.0, 1.0, ""), MouthError, "; correct it")
+            check_range(name, value, (0.0, 1.0, ""), MouthError)
 
     # -- what it makes of tables, faces and recordings -----------------------------------------------------
 
@@ -273,7 +273,7 @@ def blend(one: Style, other: Style, amount: float) -> Style:
     ------
     MouthError : the amount lies outside its range.
     """
-    check_range("a blend", amount, (0.0, 1.0, ""), MouthError, "; correct it")
+    check_range("a blend", amount, (0.0, 1.0, ""), MouthError)
     if amount in (0.0, 1.0):
         return other if amount else one
     nearer = one if amount < 0.5 else other

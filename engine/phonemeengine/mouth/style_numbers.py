@@ -21,7 +21,7 @@ class StyleNumbers:
 
     def __post_init__(self) -> None:
         for entry in fields(self):
-            check_range(entry.name, getattr(self, entry.name), entry.metadata["limits"], MouthError, "; correct it")
+            check_range(entry.name, getattr(self, entry.name), entry.metadata["limits"], MouthError)
 
 
 @dataclass(frozen=True)

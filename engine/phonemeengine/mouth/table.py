@@ -103,7 +103,7 @@ class MotionSettings:
 
 def _check(values: Any) -> None:
     for name in (entry.name for entry in fields(values)):
-        check_range(name, getattr(values, name), LIMITS[name], MouthError, "; correct it")
+        check_range(name, getattr(values, name), LIMITS[name], MouthError)
 
 
 def _limited(name: str, seconds: float) -> float:

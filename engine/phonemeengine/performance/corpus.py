@@ -147,7 +147,9 @@ def find_recordings(folder: Path) -> Corpus:
     try:
         files = {path.name.lower(): path for path in sorted(folder.iterdir())}
     except OSError as error:
-        raise CorpusError(f"{printable_name(folder)}: this folder cannot be read ({error.strerror})") from error
+        raise CorpusError(
+            f"{printable_name(folder)}: this folder cannot be read ({error.strerror}); check its name and permissions"
+        ) from error
     sounds, copies = once_each(path for path in files.values() if is_sound(path))
     found = [_recording_of(sound, files) for sound in sounds]
     found += [f"{printable_name(x)}: it is left out, as {printable_name(of)} is the same" for x, of in copies.items()]

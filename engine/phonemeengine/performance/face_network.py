@@ -38,7 +38,7 @@ from phonemeengine.performance.track import face_table
 from phonemeengine.recognition.model import LARGEST_FILE, Model, arrays_of_model, model_of_arrays
 from phonemeengine.recognition.network import Network
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, WINDOW
-from phonemeengine.storage.files import printable_name, reason_of
+from phonemeengine.storage.files import printable_name, why_unreadable
 from phonemeengine.storage.npz import read_npz
 from phonemeengine.storage.replacing import Guard, guarded_write
 
@@ -307,12 +307,13 @@ def load_face_network(path: str | os.PathLike[str]) -> FaceNetwork:
             raise ModelError("a network of a face is smaller than 8 MB; choose another file")
         return _network_of(read_npz(path, 4 * LARGEST_FILE))
     except OSError as error:
-        raise ModelError(f"{printable_name(path)}: it cannot be read ({reason_of(error)}); choose another") from error
+        raise ModelError(f"{printable_name(path)}: {why_unreadable(path, error)}") from error
     except EngineError as error:
         raise ModelError(f"{printable_name(path)}: {error}") from error
     except (ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError) as error:
         raise ModelError(
-            f"{printable_name(path)}: it is no network of a face, or damaged; learn one with performance learn"
+            f"{printable_name(path)}: it is no network of a face, or damaged; learn one with "
+            "`phonemeanalyser performance learn`"
         ) from error
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from phonemeengine.arrays import Float64Array
-from phonemeengine.errors import PerformanceError
+from phonemeengine.errors import PerformanceError, remedy
 from phonemeengine.mouth.blendshape_names import BROWS, SHOULDERS, both_sides
 from phonemeengine.performance.recording import HEAD
 from phonemeengine.storage.strict_table import StrictTable, load_text, parse_toml
@@ -196,7 +196,8 @@ def _gesture_of(table: StrictTable) -> Gesture:
     for name in channels.entries:
         sides = (name,) if name in CHANNELS else both_sides(name)
         if not {*sides} <= {*CHANNELS}:
-            raise PerformanceError(f"{channels.name} knows no channel {name!r:.40}; known are {', '.join(CHANNELS)}")
+            words = remedy(name, CHANNELS)
+            raise PerformanceError(f"{channels.name}: there is no channel {name!r:.40}; {words}")
         values |= dict.fromkeys(sides, _values_of(channels, name))
     return Gesture(table.limited("shortest", 0, LONGEST, f"seconds in 0..{LONGEST:g}"), values)
 

@@ -185,7 +185,8 @@ def _model_of(name: str, folder: Path) -> Model:
 def _beside(name: str, folder: Path) -> Path:
     if "/" in name or "\\" in name or name.startswith("."):
         raise PresetError(
-            f"a model lies beside its preset, so model is a plain name such as voice.npz, found {shown(name)}"
+            f"a model lies beside its preset, so model is a plain name such as voice.npz, found {shown(name)}; "
+            "correct it"
         )
     return folder / name
 

@@ -51,13 +51,13 @@ def parse_phoneme_data(text: str) -> PhonemeData:
     if len(found) < len(_NUMBERS):
         raise PresetError(
             f"a PhonemeData file holds {len(_NUMBERS)} numbers, found {len(found)}; "
-            f"the first one missing after line {found[-1][0] if found else 1} is {_NUMBERS[len(found)]}"
+            f"the first one missing after line {found[-1][0] if found else 1} is {_NUMBERS[len(found)]}; add it"
         )
     if len(found) > len(_NUMBERS):
         line, word = found[len(_NUMBERS)]
         raise PresetError(
             f"a PhonemeData file holds {len(_NUMBERS)} numbers and ends with {_NUMBERS[-1]}, "
-            f"found {len(found)}; line {line} goes on with {_shown(word)}"
+            f"found {len(found)}; remove {_shown(word)} in line {line} and what follows"
         )
     return PhonemeData(**values)
 
@@ -69,10 +69,10 @@ def format_phoneme_data(data: PhonemeData) -> str:
 
 def _number(word: str, line: int, name: str) -> float:
     if not _SPELLING.fullmatch(word):
-        raise PresetError(f"line {line}: {name} must be a number, found {_shown(word)}")
+        raise PresetError(f"line {line}: {name} must be a number, found {_shown(word)}; correct it")
     value = float(word)
     if not abs(value) <= LARGEST_FLOAT32:
-        raise PresetError(f"line {line}: {name} must be a finite number, found {_shown(word)}")
+        raise PresetError(f"line {line}: {name} must be a finite number, found {_shown(word)}; correct it")
     return value
 
 

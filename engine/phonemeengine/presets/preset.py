@@ -104,7 +104,7 @@ class Preset(ShortRepr):
         check_sensitivities(self.sensitivities)
         check_confusions(self.confusions)
         if self.live_model not in LIVE_KINDS:
-            raise PresetError(f"live_model is one of {', '.join(LIVE_KINDS)}, got {self.live_model}")
+            raise PresetError(f"live_model is one of {', '.join(LIVE_KINDS)}, got {self.live_model}; correct it")
         _check_rules(self.rules, {*BUILT_IN_NAMES, *(v.name for v in self.variables)})
 
     @property

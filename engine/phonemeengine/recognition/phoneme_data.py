@@ -50,7 +50,7 @@ class Thresholds:
         for field in fields(self):
             value = getattr(self, field.name)
             if not abs(value) <= LARGEST_FLOAT32:
-                raise SettingsError(f"{field.name} must be a finite number within ±3.4e38, got {value}")
+                raise SettingsError(f"{field.name} must be a finite number within ±3.4e38, got {value}; correct it")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -89,9 +89,9 @@ class PitchSet:
 
     def __post_init__(self) -> None:
         if not self.name.strip():
-            raise SettingsError("a pitch set needs a name, such as woman")
+            raise SettingsError("a pitch set has no name; give it one, such as woman")
         if not LOWEST <= self.low < self.high <= HIGHEST:
             raise SettingsError(
                 f"the pitch set {self.name[:40]!r} must range upwards within {LOWEST:g}..{HIGHEST:g} Hz, got "
-                f"{self.low:g}..{self.high:g} Hz"
+                f"{self.low:g}..{self.high:g} Hz; correct it"
             )

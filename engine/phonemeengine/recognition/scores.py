@@ -79,7 +79,8 @@ def check_sensitivities(sensitivities: Mapping[Phoneme, float]) -> None:
     for phoneme, value in sensitivities.items():
         if not (math.isfinite(value) and abs(value) <= MOST_LOG_ODDS):
             raise SettingsError(
-                f"the sensitivity for {phoneme.label} must lie within ±{MOST_LOG_ODDS:g}, got {value:g}"
+                f"the sensitivity for {phoneme.label} must lie within ±{MOST_LOG_ODDS:g}, got {value:g}; "
+                "choose another value"
             )
 
 

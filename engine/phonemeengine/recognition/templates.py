@@ -8,7 +8,7 @@ import numpy as np
 
 from phonemeengine.arrays import LARGEST_FLOAT32, Float32Array, ShortRepr
 from phonemeengine.dsp.log_mel import N_CEPSTRA, cepstra_of, log_mels
-from phonemeengine.errors import SettingsError
+from phonemeengine.errors import SettingsError, check_range
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.recognition import Recognition
@@ -56,9 +56,10 @@ class Templates(ShortRepr):
             if phoneme in self.means:
                 raise SettingsError(f"{phoneme.label} has no template; leave it out")
         if min(self.spread) <= 0:
-            raise SettingsError(f"the spread must be above 0 in each of its numbers, got {min(self.spread):g}")
-        if not -200 <= self.silence_below <= 0:
-            raise SettingsError(f"silence_below must lie in -200..0 dB, got {self.silence_below:g}")
+            raise SettingsError(
+                f"the spread must be above 0 in each of its numbers, got {min(self.spread):g}; correct it"
+            )
+        check_range("silence_below", self.silence_below, (-200, 0, "dB"))
 
 
 class TemplateRecogniser(ScoredRecogniser):
@@ -105,10 +106,12 @@ class TemplateRecogniser(ScoredRecogniser):
 
 def _check_row(name: str, row: tuple[float, ...]) -> None:
     if len(row) != N_CEPSTRA:
-        raise SettingsError(f"{name} must have {N_CEPSTRA} numbers in templates, got {len(row)}")
+        raise SettingsError(f"{name} must have {N_CEPSTRA} numbers in templates, got {len(row)}; correct it")
     for value in row:
         if not abs(value) <= LARGEST_FLOAT32:
-            raise SettingsError(f"{name} must hold finite numbers within ±3.4e38 in templates, got {value}")
+            raise SettingsError(
+                f"{name} must hold finite numbers within ±3.4e38 in templates, got {value}; correct it"
+            )
 
 
 def levels_of(log_mels: Float32Array) -> Float32Array:

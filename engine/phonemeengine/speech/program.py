@@ -12,7 +12,7 @@ from phonemeengine.errors import VoiceError
 from phonemeengine.labels.utterance_files import read_utterance
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.speech.voice import SpokenSentence
-from phonemeengine.storage.files import printable
+from phonemeengine.storage.files import printable, reason_of
 from phonemeengine.text.cleaning import speakable
 from phonemeengine.text.espeak import language_of
 from phonemeengine.text.lexicon import Lexicon
@@ -49,9 +49,9 @@ def run_speech_program(template: str, text: str, output: Path) -> None:
     except subprocess.TimeoutExpired:
         raise VoiceError(f"{name}: it has not spoken within {TIMEOUT:g} s; try it by itself") from None
     except (OSError, ValueError) as error:
-        raise VoiceError(f"{name}: this program cannot be started ({error}); check the command") from error
+        raise VoiceError(f"{name}: this program cannot be started ({reason_of(error)}); check the command") from error
     if ended.returncode != 0:
-        said = printable(ended.stderr.decode(errors="replace").strip()[-_SHOWN:]) or "it says nothing"
+        said = printable(ended.stderr.decode(errors="replace").strip()[-_SHOWN:]) or "it printed nothing"
         raise VoiceError(f"{name}: it failed with exit code {ended.returncode} ({said}); try it by itself")
     if not output.is_file():
         raise VoiceError(f"{name}: it wrote no sound file; put {OUTPUT} where its name belongs in the command")

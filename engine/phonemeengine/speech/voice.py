@@ -11,7 +11,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.resampling import Resampler
-from phonemeengine.errors import TextError, VoiceError
+from phonemeengine.errors import TextError, VoiceError, check_range
 from phonemeengine.labels.utterance import Utterance, Word, shifted
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.pinyin.script import mark_after
@@ -82,11 +82,7 @@ class Voice:
     pinyin_table: PinyinTable | None = None
 
     def __post_init__(self) -> None:
-        if not RATES[0][0] <= self.rate <= RATES[-1][0]:
-            raise VoiceError(
-                f"the rate of a voice must lie in {RATES[0][0]}..{RATES[-1][0]} syllables a second, got "
-                f"{self.rate:g}; choose another"
-            )
+        check_range("the rate", self.rate, (RATES[0][0], RATES[-1][0], "syllables per second"), VoiceError)
 
     def speak(self, text: str, *, literal: bool = False) -> Iterator[SpokenSentence]:
         """Return what is spoken, sentence by sentence, each as soon as it is there.

@@ -197,11 +197,22 @@ def read_file(path: Path, largest: int, what: str, error: type[EngineError]) -> 
         size = path.stat().st_size
         content = path.read_bytes() if size <= largest else b""
     except (OSError, ValueError) as cause:
-        raise error(f"{name}: cannot be read ({reason_of(cause)}); check the file") from cause
+        raise error(f"{name}: {why_unreadable(path, cause)}") from cause
     if size > largest:
         tenths = -(-10 * size // MEGABYTE)  # upwards: no file has just the limit
         raise error(f"{name}: {what} has at most {largest >> 20} MB, this has {tenths / 10} MB; choose another")
     return content
+
+
+def why_unreadable(path: Path, cause: OSError | ValueError) -> str:
+    """Return the end of a sentence that says why a file cannot be read, and what to do; it begins with its name."""
+    if is_folder(path):
+        return "this is a folder; choose a file in it"
+    if isinstance(cause, FileNotFoundError):
+        return "there is no such file; check its name and folder"
+    if isinstance(cause, PermissionError):
+        return "reading it is not permitted; change its permissions or copy it"
+    return f"it cannot be read ({reason_of(cause)}); check the file"
 
 
 def read_text_file(path: Path, largest: int, what: str, error: type[EngineError]) -> str:
@@ -212,7 +223,7 @@ def read_text_file(path: Path, largest: int, what: str, error: type[EngineError]
     """
     content = read_file(path, largest, what, error)
     try:
-        text = _text_of_document(content, largest) if content.startswith(_ZIP) else _decoded(content)
+        text = text_of(content, largest) if content.startswith(_ZIP) else _decoded(content)
     except ValueError as cause:
         raise error(f"{printable_name(path)}: this is no text file; choose {what}") from cause
     return text.replace("\r\n", "\n").replace("\r", "\n")
@@ -234,12 +245,6 @@ def _decoded(content: bytes) -> str:
         if _BINARY.search(content):  # nearly any bytes are characters of cp1252
             raise
         return content.decode("cp1252")
-
-
-def _text_of_document(content: bytes, largest: int) -> str:
-    from phonemeengine.storage.files import text_of  # noqa: PLC0415 - 40 ms of libraries for a rare kind of file
-
-    return text_of(content, largest)
 
 
 def begins_like(pattern: bytes) -> Owns:

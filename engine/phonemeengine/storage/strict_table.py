@@ -2,7 +2,6 @@
 
 import os
 import reprlib
-import textwrap
 import tomllib
 from collections.abc import Callable, Collection, Iterator, Mapping
 from enum import Enum
@@ -11,7 +10,7 @@ from types import MappingProxyType
 from typing import Any, TypeVar, cast
 
 from phonemeengine.arrays import LARGEST_FLOAT32
-from phonemeengine.errors import EngineError
+from phonemeengine.errors import EngineError, remedy
 from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
 from phonemeengine.storage.files import printable_name, read_text_file
 
@@ -57,8 +56,8 @@ class StrictTable:
         known = [*required, *optional]
         for key in self.entries:
             if key not in known:
-                names = textwrap.shorten(", ".join(known), 120, placeholder=" …")
-                raise self._error(f"{self.name} does not know {shown(key)}; known are {names}")
+                words = remedy(key, known, "remove it, or use one of {}")
+                raise self._error(f"{self.name} cannot have an entry {shown(key)}; {words}")
         for key in required:
             if key not in self.entries:
                 raise self._error(f"{self.name} lacks {key}; add it")
@@ -123,8 +122,8 @@ class StrictTable:
         """Return the phonemes that the entries are about, and for each its entry's name."""
         for key in self.entries:
             if key not in PHONEMES_BY_LABEL:
-                names = ", ".join(PHONEMES_BY_LABEL)
-                raise self._error(f"{self.name} knows no phoneme {shown(key)}; known are {names}")
+                words = remedy(key, PHONEMES_BY_LABEL)
+                raise self._error(f"{self.name}: there is no phoneme {shown(key)}; {words}")
         return {PHONEMES_BY_LABEL[key]: key for key in self.entries}
 
     @property
@@ -167,7 +166,8 @@ def parse_toml(
         raise error(f"this is no TOML file ({cause}); correct it there") from cause
     found, names = document.pop("format", None), {form: {}, **older}
     if not isinstance(found, str) or found not in names:
-        raise error(f"{name} begins with format = {form!r}, found {shown(found)}; choose another file")
+        came = "none" if found is None else shown(found)
+        raise error(f"{name} begins with format = {form!r}, found {came}; choose another file, or update the program")
     return StrictTable({names[found].get(key, key): value for key, value in document.items()}, name, error)
 
 

@@ -305,8 +305,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/threedm.py" />
-            <source>a .3dm file begins with {magic}, this with {content}; choose another file</source>
-            <translation>Eine .3dm-Datei beginnt mit {magic}, diese mit {content}; andere Datei wählen</translation>
+            <source>a .3dm file begins with 3dm01, this does not; choose another file</source>
+            <translation>Eine .3dm-Datei beginnt mit 3dm01, diese nicht; andere Datei wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/threedma.py" />
@@ -370,8 +370,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/inspection/averaged_spectrum.py" />
-            <source>a curve begins with the line '# {format}'; choose a file saved by Save Curve</source>
-            <translation>Eine Kurve beginnt mit der Zeile '# {format}'; eine mit „Kurve speichern“ erzeugte Datei wählen</translation>
+            <source>a curve begins with the line '# {format}', this does not</source>
+            <translation>Eine Kurve beginnt mit der Zeile '# {format}', diese Datei nicht</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
@@ -575,8 +575,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/presets/document.py" />
-            <source>a model lies beside its preset, so model is a plain name such as voice.npz, found {name}</source>
-            <translation>Ein Modell liegt neben seinem Preset, daher ist model ein einfacher Name wie voice.npz, gefunden {name}</translation>
+            <source>a model lies beside its preset, so model is a plain name such as voice.npz, found {name}; correct it</source>
+            <translation>Ein Modell liegt neben seinem Preset, daher ist model ein einfacher Name wie voice.npz, gefunden {name}; korrigieren</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
@@ -650,13 +650,13 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/presets/files.py" />
-            <source>a PhonemeData file holds {numbers} numbers and ends with {numbers_2}, found {found}; line {line} goes on with {word}</source>
-            <translation>Eine PhonemeData-Datei enthält {numbers} Zahlen und endet mit {numbers_2}, gefunden {found}; Zeile {line} geht weiter mit {word}</translation>
+            <source>a PhonemeData file holds {numbers} numbers and ends with {numbers_2}, found {found}; remove {word} in line {line} and what follows</source>
+            <translation>Eine PhonemeData-Datei enthält {numbers} Zahlen und endet mit {numbers_2}, gefunden {found}; {word} in Zeile {line} und alles danach löschen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/presets/files.py" />
-            <source>a PhonemeData file holds {numbers} numbers, found {found}; the first one missing after line {found_2} is {numbers_2}</source>
-            <translation>Eine PhonemeData-Datei enthält {numbers} Zahlen, gefunden {found}; nach Zeile {found_2} fehlt als erste {numbers_2}</translation>
+            <source>a PhonemeData file holds {numbers} numbers, found {found}; the first one missing after line {found_2} is {numbers_2}; add it</source>
+            <translation>Eine PhonemeData-Datei enthält {numbers} Zahlen, gefunden {found}; nach Zeile {found_2} fehlt als erste {numbers_2}; ergänzen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf_materials.py" />
@@ -670,8 +670,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/recognition/phoneme_data.py" />
-            <source>a pitch set needs a name, such as woman</source>
-            <translation>ein Grundfrequenz-Satz braucht einen Namen, etwa woman</translation>
+            <source>a pitch set has no name; give it one, such as woman</source>
+            <translation>Ein Grundfrequenz-Satz hat keinen Namen; einen angeben, etwa woman</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
@@ -720,13 +720,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/dsp/sonagram.py" />
-            <source>a sonagram must have 2..4096 rows, got {n_rows}</source>
-            <translation>Ein Sonagramm muss 2..4096 Zeilen haben, gefunden {n_rows}</translation>
-        </message>
-        <message>
-            <location filename="../../../engine/phonemeengine/dsp/sonagram.py" />
-            <source>a sonagram must rise within 0..{sample_rate} Hz, got {low} to {high}</source>
-            <translation>Ein Sonagramm muss in 0..{sample_rate} Hz steigen, gefunden {low} bis {high}</translation>
+            <source>a sonagram must rise within 0..{sample_rate} Hz, got {low} to {high}; choose other limits</source>
+            <translation>Ein Sonagramm muss in 0..{sample_rate} Hz steigen, gefunden {low} bis {high}; andere Grenzen wählen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -780,8 +775,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/calibration/takes/take.py" />
-            <source>a take's sound must lie in {takes}/ or {deleted}/ of its project, got {sound}</source>
-            <translation>Die Audiodatei eines Takes muss in {takes}/ oder {deleted}/ seines Projekts liegen, gefunden {sound}</translation>
+            <source>a take's sound must lie in {takes}/ or {deleted}/ of its project, got {sound}; correct it</source>
+            <translation>Die Audiodatei eines Takes muss in {takes}/ oder {deleted}/ seines Projekts liegen, gefunden {sound}; korrigieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/labels/textgrid.py" />
@@ -815,8 +810,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/features/variables.py" />
-            <source>a variable's name must be lower-case letters, digits and underscores, got {name}</source>
-            <translation>der Name einer Variable besteht aus Kleinbuchstaben, Ziffern und Unterstrichen, war {name}</translation>
+            <source>a variable's name must be lower-case letters, digits and underscores, got {name}; rename it</source>
+            <translation>Der Name einer Variable besteht aus Kleinbuchstaben, Ziffern und Unterstrichen, gefunden {name}; umbenennen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/skin.py" />
@@ -837,11 +832,6 @@
             <location filename="../../../engine/phonemeengine/labels/visemes.py" />
             <source>a viseme set has 1..{most_visemes} different names, got {self}; correct it</source>
             <translation>Ein Visemsatz hat 1..{most_visemes} verschiedene Namen, gefunden {self}; korrigieren</translation>
-        </message>
-        <message>
-            <location filename="../../../engine/phonemeengine/audio/tone/settings.py" />
-            <source>a vowel must have 1..{most_formants} formants, got {self}</source>
-            <translation>Ein Vokal muss 1..{most_formants} Formanten haben, gefunden {self}</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/exports/exporter.py" />
@@ -1265,8 +1255,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/osc.py" />
-            <source>an OSC receiver is HOST:PORT, such as 127.0.0.1:39539, found {text}</source>
-            <translation>ein OSC-Empfänger ist HOST:PORT, etwa 127.0.0.1:39539, gefunden {text}</translation>
+            <source>an OSC receiver is HOST:PORT, such as 127.0.0.1:39539, found {text}; correct it</source>
+            <translation>Ein OSC-Empfänger ist HOST:PORT, etwa 127.0.0.1:39539, gefunden {text}; korrigieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/headers.py" />
@@ -2710,11 +2700,6 @@
             <translation>ist {first}, {second} oder {third} gemeint?</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/errors.py" />
-            <source>did you mean {meant}{len}{meant_2}?</source>
-            <translation>ist {meant}{len}{meant_2} gemeint?</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>did you mean {name}?</source>
             <translation>ist {name} gemeint?</translation>
@@ -3361,8 +3346,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/encoder/model_folder.py" />
-            <source>fetching needs huggingface_hub; pip install "phonemeanalyser[whisper]", or name a folder</source>
-            <translation>Zum Herunterladen wird huggingface_hub benötigt; pip install "phonemeanalyser[whisper]" ausführen oder einen Ordner angeben</translation>
+            <source>fetching needs the package huggingface_hub, which is missing; pip install "phonemeanalyser[whisper]", or name a folder</source>
+            <translation>Zum Herunterladen fehlt das Paket huggingface_hub; pip install "phonemeanalyser[whisper]" ausführen oder einen Ordner angeben</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/sources.py" />
@@ -3658,6 +3643,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>Frames of 10 ms with A and with B, and which phonemes B gives</source>
             <translation>Frames von 10 ms mit A und mit B, und welche Phoneme B ergibt</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/animation.py" />
+            <source>frames per second</source>
+            <translation>Bilder je Sekunde</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
@@ -4390,6 +4380,11 @@
             <translation>lässt sich nicht öffnen</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/storage/files.py" />
+            <source>it cannot be read ({cause}); check the file</source>
+            <translation>Nicht lesbar ({cause}); Datei prüfen</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/audio/headers.py" />
             <source>it claims {claimed} bytes, {length} are there</source>
             <translation>angegeben sind {claimed} Byte, vorhanden {length}</translation>
@@ -4486,8 +4481,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/speech/program.py" />
-            <source>it says nothing</source>
-            <translation>sie sagt nichts</translation>
+            <source>it printed nothing</source>
+            <translation>es gab nichts aus</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
@@ -5106,13 +5101,13 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/presets/files.py" />
-            <source>line {line}: {name} must be a finite number, found {word}</source>
-            <translation>Zeile {line}: {name} muss eine endliche Zahl sein, gefunden {word}</translation>
+            <source>line {line}: {name} must be a finite number, found {word}; correct it</source>
+            <translation>Zeile {line}: {name} muss eine endliche Zahl sein, gefunden {word}; korrigieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/presets/files.py" />
-            <source>line {line}: {name} must be a number, found {word}</source>
-            <translation>Zeile {line}: {name} muss eine Zahl sein, gefunden {word}</translation>
+            <source>line {line}: {name} must be a number, found {word}; correct it</source>
+            <translation>Zeile {line}: {name} muss eine Zahl sein, gefunden {word}; korrigieren</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
@@ -5216,8 +5211,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/presets/preset.py" />
-            <source>live_model is one of {live_kinds}, got {live_model}</source>
-            <translation>live_model ist eins von {live_kinds}, gefunden {live_model}</translation>
+            <source>live_model is one of {live_kinds}, got {live_model}; correct it</source>
+            <translation>live_model ist eins von {live_kinds}, gefunden {live_model}; korrigieren</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
@@ -7536,8 +7531,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
-            <source>quantise must be one of 1, 2, 4, got {quantise}</source>
-            <translation>Die Quantisierung muss 1, 2 oder 4 sein, gefunden {quantise}</translation>
+            <source>quantise must be one of 1, 2, 4, got {quantise}; choose one of them</source>
+            <translation>Die Quantisierung muss 1, 2 oder 4 sein, gefunden {quantise}; eine davon wählen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -7633,6 +7628,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>Read-only file system</source>
             <translation>Laufwerk ist schreibgeschützt</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/storage/files.py" />
+            <source>reading it is not permitted; change its permissions or copy it</source>
+            <translation>Lesen ist nicht erlaubt; die Rechte ändern oder die Datei kopieren</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
@@ -7873,6 +7873,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Remove Deleted Takes…</source>
             <translation>Gelöschte Takes entfernen…</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
+            <source>remove it, or use one of {names}</source>
+            <translation>entfernen oder einen davon verwenden: {names}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -8955,11 +8960,6 @@
             <translation>erkannte Stille fällt von {old} % auf {new} %</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/recognition/templates.py" />
-            <source>silence_below must lie in -200..0 dB, got {silence_below}</source>
-            <translation>silence_below muss in -200..0 dB liegen, gefunden {silence_below}</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>silent</source>
             <translation>stumm</translation>
@@ -9505,6 +9505,11 @@
             <translation>Silben</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/speech/pinyin/timing.py" />
+            <source>syllables per second</source>
+            <translation>Silben je Sekunde</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>syllables/s</source>
             <translation>Silben/s</translation>
@@ -9726,13 +9731,13 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/dsp/formants.py" />
-            <source>the ceiling must lie in {lowest_ceiling}..{highest_ceiling} Hz, got {ceiling}</source>
-            <translation>Die Obergrenze muss in {lowest_ceiling}..{highest_ceiling} Hz liegen, gefunden {ceiling}</translation>
+            <source>the ceiling</source>
+            <translation>die Obergrenze</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/devices.py" />
-            <source>the channel must lie in 0..{most_channels}, got {channel}</source>
-            <translation>Der Kanal muss in 0..{most_channels} liegen, gefunden {channel}</translation>
+            <source>the channel</source>
+            <translation>der Kanal</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/inspection/averaged_spectrum.py" />
@@ -9821,8 +9826,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/animation.py" />
-            <source>the frame rate must lie in {lowest_rate}..{highest_rate} frames per second, got {rate}; choose another</source>
-            <translation>Die Bildrate muss in {lowest_rate}..{highest_rate} Bildern je Sekunde liegen, gefunden {rate}; andere wählen</translation>
+            <source>the frame rate</source>
+            <translation>die Bildrate</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/exports/exporter.py" />
@@ -9935,14 +9940,14 @@
             <translation>Die letzte Spalte ist kreuzvalidiert: Je eine Einheit ({left_out}) wird zurückgehalten und gemessen.</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/audio/devices.py" />
+            <source>the latency</source>
+            <translation>die Latenz</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
             <source>The latency could not be measured: {why}.</source>
             <translation>Die Latenz ließ sich nicht messen: {why}.</translation>
-        </message>
-        <message>
-            <location filename="../../../engine/phonemeengine/audio/devices.py" />
-            <source>the latency must lie in {lowest_latency}..{highest_latency} s, got {latency}</source>
-            <translation>Die Latenz muss in {lowest_latency}..{highest_latency} s liegen, gefunden {latency}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
@@ -10071,8 +10076,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/encoder/runtime.py" />
-            <source>the network cannot be opened ({error})</source>
-            <translation>Das Netz lässt sich nicht öffnen ({error})</translation>
+            <source>the network cannot be opened ({error}); get it anew</source>
+            <translation>Das Netz lässt sich nicht öffnen ({error}); neu beschaffen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -10095,6 +10100,11 @@
             <translation>Das neue Preset ist noch nicht gespeichert.</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/audio/tone/settings.py" />
+            <source>the number of formants</source>
+            <translation>die Zahl der Formanten</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>the number of intervals in tier {name}</source>
             <translation>die Zahl der Segmente in Spur {name}</translation>
@@ -10103,6 +10113,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>the number of movestates</source>
             <translation>die Zahl der Blendshapes</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/dsp/sonagram.py" />
+            <source>the number of rows</source>
+            <translation>die Zahl der Zeilen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
@@ -10161,8 +10176,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/recognition/phoneme_data.py" />
-            <source>the pitch set {name} must range upwards within {lowest}..{highest} Hz, got {low}..{high} Hz</source>
-            <translation>der Grundfrequenz-Satz {name} muss aufsteigend in {lowest}..{highest} Hz liegen, nicht in {low}..{high} Hz</translation>
+            <source>the pitch set {name} must range upwards within {lowest}..{highest} Hz, got {low}..{high} Hz; correct it</source>
+            <translation>Der Grundfrequenz-Satz {name} muss aufsteigend in {lowest}..{highest} Hz liegen, gefunden {low}..{high} Hz; korrigieren</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/preset_dialogs.py" />
@@ -10216,13 +10231,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/speech/pinyin/timing.py" />
-            <source>the rate must lie in {slowest}..{fastest} syllables per second, got {rate}; choose another</source>
-            <translation>Das Tempo muss in {slowest}..{fastest} Silben je Sekunde liegen, gefunden {rate}; anderes wählen</translation>
-        </message>
-        <message>
-            <location filename="../../../engine/phonemeengine/speech/voice.py" />
-            <source>the rate of a voice must lie in {rates}..{rates_2} syllables a second, got {rate}; choose another</source>
-            <translation>Die Sprechgeschwindigkeit muss in {rates}..{rates_2} Silben je Sekunde liegen, gefunden {rate}; andere wählen</translation>
+            <source>the rate</source>
+            <translation>das Tempo</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
@@ -10366,8 +10376,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/devices.py" />
-            <source>the sample rate must lie in {lowest_rate}..{highest_rate} Hz, got {rate}</source>
-            <translation>Die Abtastrate muss in {lowest_rate}..{highest_rate} Hz liegen, gefunden {rate}</translation>
+            <source>the sample rate</source>
+            <translation>die Abtastrate</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/calibration/takes/room_noise.py" />
@@ -10381,8 +10391,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>the sensitivity for {label} must lie within ±{most_log_odds}, got {value}</source>
-            <translation>Die Empfindlichkeit für {label} muss in ±{most_log_odds} liegen, gefunden {value}</translation>
+            <source>the sensitivity for {label} must lie within ±{most_log_odds}, got {value}; choose another value</source>
+            <translation>Die Empfindlichkeit für {label} muss in ±{most_log_odds} liegen, gefunden {value}; anderen Wert wählen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -10431,13 +10441,13 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/slowed_output.py" />
-            <source>the speed must lie in {slowest}..1, got {speed}</source>
-            <translation>Das Tempo muss in {slowest}..1 liegen, gefunden {speed}</translation>
+            <source>the speed</source>
+            <translation>das Tempo</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/recognition/templates.py" />
-            <source>the spread must be above 0 in each of its numbers, got {self}</source>
-            <translation>Jede Zahl der Streuung muss über 0 liegen, gefunden {self}</translation>
+            <source>the spread must be above 0 in each of its numbers, got {self}; correct it</source>
+            <translation>Jede Zahl der Streuung muss über 0 liegen, gefunden {self}; korrigieren</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -10511,8 +10521,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/dsp/sonagram.py" />
-            <source>the window of a sonagram must last 0.002..0.2 s, got {window}</source>
-            <translation>Das Fenster eines Sonagramms muss 0.002..0.2 s dauern, gefunden {window}</translation>
+            <source>the window</source>
+            <translation>das Fenster</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/rendering/offscreen.py" />
@@ -10686,8 +10696,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/movestate.py" />
-            <source>there is no movestate {name}; known are {self}</source>
-            <translation>Kein Blendshape {name} vorhanden; bekannt sind {self}</translation>
+            <source>there is no movestate {name}; choose one of {self}</source>
+            <translation>Kein Blendshape {name} vorhanden; einen davon wählen: {self}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
@@ -10733,6 +10743,11 @@
             <location filename="../../../engine/phonemeengine/audio/containers.py" />
             <source>there is no sound in it</source>
             <translation>kein Ton enthalten</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/storage/files.py" />
+            <source>there is no such file; check its name and folder</source>
+            <translation>Diese Datei gibt es nicht; Name und Ordner prüfen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/performance/table_choice.py" />
@@ -10853,6 +10868,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>This file: {name}</source>
             <translation>Diese Datei: {name}</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/storage/files.py" />
+            <source>this is a folder; choose a file in it</source>
+            <translation>Dies ist ein Ordner; eine Datei darin wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf_document.py" />
@@ -12081,8 +12101,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/labels/table.py" />
-            <source>{file}: it lacks the column {missing}; it needs {columns}</source>
-            <translation>{file}: Die Spalte {missing} fehlt; nötig sind {columns}</translation>
+            <source>{file}: it lacks the column {missing}; give it the columns {columns}</source>
+            <translation>{file}: Die Spalte {missing} fehlt; mit den Spalten {columns} speichern</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/labels/timed_words.py" />
@@ -12096,8 +12116,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/labels/table.py" />
-            <source>{file}: there is no row under the header; it needs at least one</source>
-            <translation>{file}: Keine Zeile unter der Kopfzeile; mindestens eine ist nötig</translation>
+            <source>{file}: there is no row under the header; add one</source>
+            <translation>{file}: Keine Zeile unter der Kopfzeile; eine ergänzen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/table.py" />
@@ -12286,8 +12306,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
-            <source>{lower} must not exceed {upper}, got {low} above {high}</source>
-            <translation>{lower} darf nicht über {upper} liegen, gefunden {low} über {high}</translation>
+            <source>{lower} must not exceed {upper}, got {low} above {high}; lower it</source>
+            <translation>{lower} darf nicht über {upper} liegen, gefunden {low} über {high}; senken</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/head/face_model.py" />
@@ -12351,8 +12371,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/storage/strict_table.py" />
-            <source>{name} begins with format = {form}, found {found}; choose another file</source>
-            <translation>Erwartet wird {name}, beginnend mit format = {form}, gefunden {found}; andere Datei wählen</translation>
+            <source>{name} begins with format = {form}, found {came}; choose another file, or update the program</source>
+            <translation>Erwartet wird {name}, beginnend mit format = {form}, gefunden {came}; andere Datei wählen oder das Programm aktualisieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/labels/tiers.py" />
@@ -12370,6 +12390,11 @@
             <translation>{name} kann nicht neu gemessen werden, da {name_2} nicht mehr vorhanden ist; die Datei zurücklegen oder eine andere mitteln</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/storage/strict_table.py" />
+            <source>{name} cannot have an entry {key}; {words}</source>
+            <translation>{name} kann keinen Eintrag {key} haben; {words}</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/audio/headers.py" />
             <source>{name} claims {size} bytes</source>
             <translation>{name} gibt {size} Byte an</translation>
@@ -12378,11 +12403,6 @@
             <location filename="../../../engine/phonemeengine/mouth/exports/exporter.py" />
             <source>{name} counts no frames, so it has no frame rate; leave it out</source>
             <translation>{name} zählt keine Bilder und hat daher keine Bildrate; weglassen</translation>
-        </message>
-        <message>
-            <location filename="../../../engine/phonemeengine/storage/strict_table.py" />
-            <source>{name} does not know {key}; known are {names}</source>
-            <translation>{name} kennt {key} nicht; bekannt sind {names}</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/table.py" />
@@ -12465,16 +12485,6 @@
             <translation>{name} ist kein Visem des Phonems {label}; Visemsatz korrigieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/keywords.py" />
-            <source>{name} knows no channel {name_2}; known are {channels}</source>
-            <translation>{name} kennt keinen Kanal {name_2}; bekannt sind {channels}</translation>
-        </message>
-        <message>
-            <location filename="../../../engine/phonemeengine/storage/strict_table.py" />
-            <source>{name} knows no phoneme {key}; known are {names}</source>
-            <translation>{name} kennt kein Phonem {key}; bekannt sind {names}</translation>
-        </message>
-        <message>
             <location filename="../../../engine/phonemeengine/mouth/exports/exporter.py" />
             <source>{name} knows the shapes {known}, but the table {name_2} has {shape}; choose another table</source>
             <translation>{name} kennt die Mundformen {known}, die Tabelle {name_2} hat aber {shape}; andere Tabelle wählen</translation>
@@ -12506,28 +12516,23 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/recognition/phoneme_data.py" />
-            <source>{name} must be a finite number within ±3.4e38, got {value}</source>
-            <translation>{name} muss eine endliche Zahl in ±3.4e38 sein, gefunden {value}</translation>
+            <source>{name} must be a finite number within ±3.4e38, got {value}; correct it</source>
+            <translation>{name} muss eine endliche Zahl in ±3.4e38 sein, gefunden {value}; korrigieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/recognition/templates.py" />
-            <source>{name} must have {n_cepstra} numbers in templates, got {row}</source>
-            <translation>{name} muss in templates {n_cepstra} Zahlen haben, gefunden {row}</translation>
+            <source>{name} must have {n_cepstra} numbers in templates, got {row}; correct it</source>
+            <translation>{name} muss in templates {n_cepstra} Zahlen haben, gefunden {row}; korrigieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/recognition/templates.py" />
-            <source>{name} must hold finite numbers within ±3.4e38 in templates, got {value}</source>
-            <translation>{name} muss in templates endliche Zahlen in ±3.4e38 enthalten, gefunden {value}</translation>
-        </message>
-        <message>
-            <location filename="../../../engine/phonemeengine/mouth/cues.py" />
-            <source>{name} must lie in 0..{most} s, got {value}; choose another</source>
-            <translation>{name} muss in 0..{most} s liegen, gefunden {value}; anderes wählen</translation>
+            <source>{name} must hold finite numbers within ±3.4e38 in templates, got {value}; correct it</source>
+            <translation>{name} muss in templates endliche Zahlen in ±3.4e38 enthalten, gefunden {value}; korrigieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/features/variables.py" />
-            <source>{name} must range within 0..{sample_rate} Hz and upwards, got {low}..{high} Hz</source>
-            <translation>{name} muss in 0..{sample_rate} Hz steigen, gefunden {low}..{high} Hz</translation>
+            <source>{name} must range within 0..{sample_rate} Hz and upwards, got {low}..{high} Hz; correct it</source>
+            <translation>{name} muss aufsteigend in 0..{sample_rate} Hz liegen, gefunden {low}..{high} Hz; korrigieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/style.py" />
@@ -12581,8 +12586,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/speech/pinyin/table.py" />
-            <source>{name} {shape} does not know {part}; known are {parts}</source>
-            <translation>{name} {shape} kennt {part} nicht; bekannt sind {parts}</translation>
+            <source>{name} {shape} names {part}, which does not exist; {words}</source>
+            <translation>{name} {shape} nennt {part}, das es nicht gibt; {words}</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/text/script.py" />
@@ -12635,11 +12640,6 @@
             <translation>{name}: Ein anderer Stapel (Prozess {pid} auf {host}) schreibt in diesen Ordner; dessen Ende abwarten oder anderen Ordner wählen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/storage/files.py" />
-            <source>{name}: cannot be read ({cause}); check the file</source>
-            <translation>{name}: Nicht lesbar ({cause}); Datei prüfen</translation>
-        </message>
-        <message>
             <location filename="../../../engine/phonemeengine/mouth/files/io.py" />
             <source>{name}: FBX cannot be read; open it in Blender, and export it as glTF (.glb) with shape keys</source>
             <translation>{name}: FBX ist nicht lesbar; in Blender öffnen und als glTF (.glb) mit Shape Keys exportieren</translation>
@@ -12658,11 +12658,6 @@
             <location filename="../../../engine/phonemeengine/audio/recording_file.py" />
             <source>{name}: it cannot be made in {folder} ({error}); choose another folder or name</source>
             <translation>{name}: Lässt sich in {folder} nicht anlegen ({error}); anderen Ordner oder Namen wählen</translation>
-        </message>
-        <message>
-            <location filename="../../../engine/phonemeengine/audio/file_access.py" />
-            <source>{name}: it cannot be opened ({error}); check its name and folder</source>
-            <translation>{name}: Lässt sich nicht öffnen ({error}); Name und Ordner prüfen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/performance/table_file.py" />
@@ -12771,13 +12766,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/calibration/takes/take.py" />
-            <source>{name}: pauses must follow one another in the sound, got {pauses}</source>
-            <translation>{name}: Pausen müssen in der Aufnahme aufeinander folgen, gefunden {pauses}</translation>
-        </message>
-        <message>
-            <location filename="../../../engine/phonemeengine/audio/file_access.py" />
-            <source>{name}: reading it is not permitted; change its permissions or copy it</source>
-            <translation>{name}: Lesen ist nicht erlaubt; die Rechte ändern oder die Datei kopieren</translation>
+            <source>{name}: pauses must follow one another in the sound, got {pauses}; correct them</source>
+            <translation>{name}: Pausen müssen in der Aufnahme aufeinander folgen, gefunden {pauses}; korrigieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/files.py" />
@@ -12895,6 +12885,11 @@
             <translation>{name}: Eine Datei dieses Namens gibt es schon, eine Aufnahme überschreibt sie nicht; einen anderen Namen wählen</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/performance/keywords.py" />
+            <source>{name}: there is no channel {name_2}; {words}</source>
+            <translation>{name}: Es gibt keinen Kanal {name_2}; {words}</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/audio/recording_file.py" />
             <source>{name}: there is no folder {folder}; make it or choose another</source>
             <translation>{name}: Den Ordner {folder} gibt es nicht; anlegen oder einen anderen wählen</translation>
@@ -12905,6 +12900,11 @@
             <translation>{name}: enthält keine Beschriftung; Laute beschriften und neu speichern</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/storage/strict_table.py" />
+            <source>{name}: there is no phoneme {key}; {words}</source>
+            <translation>{name}: Es gibt kein Phonem {key}; {words}</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/performance/table_file.py" />
             <source>{name}: there is no recording {name_2} in this table; they are called as their files are, such as {some}</source>
             <translation>{name}: Keine Aufnahme {name_2} in dieser Tabelle; die Namen sind die der Dateien, etwa {some}</translation>
@@ -12913,11 +12913,6 @@
             <location filename="../../../engine/phonemeengine/conversion/spoken_texts.py" />
             <source>{name}: there is no sound file in this folder; name another</source>
             <translation>{name}: Keine Audiodatei in diesem Ordner; anderen angeben</translation>
-        </message>
-        <message>
-            <location filename="../../../engine/phonemeengine/audio/file_access.py" />
-            <source>{name}: there is no such file; check its name and folder</source>
-            <translation>{name}: Diese Datei gibt es nicht; Name und Ordner prüfen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/conversion/driving.py" />
@@ -12953,11 +12948,6 @@
             <location filename="../../../engine/phonemeengine/audio/file_access.py" />
             <source>{name}: this is a device, not an audio file; choose a file</source>
             <translation>{name}: Das ist ein Gerät, keine Audiodatei; eine Datei wählen</translation>
-        </message>
-        <message>
-            <location filename="../../../engine/phonemeengine/audio/file_access.py" />
-            <source>{name}: this is a folder, not an audio file; choose a file in it</source>
-            <translation>{name}: Das ist ein Ordner, keine Audiodatei; eine Datei darin wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/recording_file.py" />
@@ -13050,9 +13040,14 @@
             <translation>{name}: {certainty}. Wird nicht mit dem erkannten Phonem verglichen und gilt nie als Fehler.</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/files.py" />
+            <location filename="../../../engine/phonemeengine/audio/file_access.py" />
             <source>{name}: {error}</source>
             <translation>{name}: {error}</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/inspection/averaged_spectrum.py" />
+            <source>{name}: {error}; choose a file saved by Save Curve</source>
+            <translation>{name}: {error}; eine mit „Kurve speichern“ erzeugte Datei wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
@@ -13325,11 +13320,6 @@
             <translation>{path}: nicht schreibbar ({reason}); dort Platz schaffen oder das Schreiben erlauben</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/face_network.py" />
-            <source>{path}: it cannot be read ({error}); choose another</source>
-            <translation>{path}: nicht lesbar ({error}); eine andere wählen</translation>
-        </message>
-        <message>
             <location filename="../../../engine/phonemeengine/performance/table_file.py" />
             <source>{path}: it cannot be written ({reason}); choose another folder</source>
             <translation>{path}: Lässt sich nicht schreiben ({reason}); anderen Ordner wählen</translation>
@@ -13341,8 +13331,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/performance/face_network.py" />
-            <source>{path}: it is no network of a face, or damaged; learn one with performance learn</source>
-            <translation>{path}: kein Netz eines Gesichts, oder beschädigt; mit performance learn eines lernen</translation>
+            <source>{path}: it is no network of a face, or damaged; learn one with `phonemeanalyser performance learn`</source>
+            <translation>{path}: kein Netz eines Gesichts, oder beschädigt; mit `phonemeanalyser performance learn` eines lernen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/labels/files.py" />
@@ -13500,6 +13490,21 @@
             <translation>{preset} (aktuelle Einstellungen)</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
+            <source>{range} bands</source>
+            <translation>{range} Bändern</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
+            <source>{range} frames per second</source>
+            <translation>{range} Bildern je Sekunde</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
+            <source>{range} syllables per second</source>
+            <translation>{range} Silben je Sekunde</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
             <source>{rate}/s</source>
             <translation>{rate}/s</translation>
@@ -13626,6 +13631,11 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/calibration/scores/corpus.py" />
+            <source>{source}: there is no such folder; name one with labelled recordings</source>
+            <translation>{source}: Diesen Ordner gibt es nicht; einen mit beschrifteten Aufnahmen angeben</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/calibration/scores/corpus.py" />
             <source>{source}: {fault}; put a .TextGrid, .csv or .txt file of the same name beside each sound</source>
             <translation>{source}: {fault}; neben jede Audiodatei eine gleichnamige .TextGrid-, .csv- oder .txt-Datei legen</translation>
         </message>
@@ -13725,11 +13735,6 @@
             <translation>{url} lässt sich nicht öffnen, nur Dateien auf diesem Computer. Zuerst hier speichern.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
-            <source>{value}; correct it</source>
-            <translation>{value}; korrigieren</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>{variable}, filtered</source>
             <translation>{variable}, gefiltert</translation>
@@ -13766,8 +13771,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/errors.py" />
-            <source>{what} must lie in {limit}, got {value}{remedy}</source>
-            <translation>{what} muss in {limit} liegen, gefunden {value}{remedy}</translation>
+            <source>{what} must lie in {limit}, got {value}; choose another value</source>
+            <translation>{what} muss in {limit} liegen, gefunden {value}; anderen Wert wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/containers.py" />

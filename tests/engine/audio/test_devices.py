@@ -196,7 +196,7 @@ def test_what_is_missing_is_named_with_what_to_install(body: str, words: str, tm
         ({"channel": -1}, "the channel must lie in 0..64, got -1"),
         ({"channel": 65}, "the channel must lie in 0..64, got 65"),
         ({"rate": 5}, "the sample rate must lie in"),
-        ({"latency": 0.001}, "the latency must lie in 0.01..1.0 s, got 0.001"),
+        ({"latency": 0.001}, "the latency must lie in 0.01..1 s, got 0.001"),
         ({"latency": float("nan")}, "the latency must lie in"),
     ],
 )

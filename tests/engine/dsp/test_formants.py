@@ -6,6 +6,7 @@ import pytest
 
 from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.dsp.formants import N_FORMANTS, formants_of, linear_prediction
+from phonemeengine.errors import SettingsError
 from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import VOWELS
 from phonemeengine.settings import SAMPLE_RATE
@@ -64,7 +65,7 @@ def test_silence_has_none_and_an_empty_sound_no_frames():
 
 @pytest.mark.parametrize("ceiling", [2999.0, 10_001.0, float("nan")])
 def test_a_ceiling_that_no_voice_has_is_refused(ceiling: float):
-    with pytest.raises(ValueError, match=r"the ceiling must lie in 3000\.\.10000 Hz"):
+    with pytest.raises(SettingsError, match=r"the ceiling must lie in 3000\.\.10000 Hz"):
         formants_of(silence(0.1), ceiling=ceiling)
 
 

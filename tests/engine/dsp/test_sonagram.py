@@ -76,10 +76,10 @@ def test_rows_are_equally_far_apart_on_their_axis():
 @pytest.mark.parametrize(
     ("fault", "words"),
     [
-        ({"window": 0.001}, "must last 0.002..0.2 s, got 0.001"),
+        ({"window": 0.001}, "the window must lie in 0.002..0.2 s, got 0.001"),
         ({"low": 8000.0}, "must rise within 0..22050 Hz, got 8000 to 8000"),
         ({"high": 30_000.0}, "must rise within"),
-        ({"n_rows": 1}, "must have 2..4096 rows, got 1"),
+        ({"n_rows": 1}, "the number of rows must lie in 2..4096, got 1"),
     ],
 )
 def test_what_no_sonagram_has_is_refused(fault: dict[str, float], words: str):

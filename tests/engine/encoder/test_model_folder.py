@@ -137,5 +137,5 @@ def test_what_cannot_be_fetched_is_said_in_one_sentence(monkeypatch, fetch, word
 
 def test_without_the_library_that_fetches_that_is_said(monkeypatch):
     monkeypatch.setitem(sys.modules, "huggingface_hub", None)
-    with pytest.raises(ModelError, match="fetching needs huggingface_hub"):
+    with pytest.raises(ModelError, match="fetching needs the package huggingface_hub"):
         fetch_whisper()

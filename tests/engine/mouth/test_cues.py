@@ -161,9 +161,9 @@ def test_an_hour_has_no_cue_that_is_too_short() -> None:
 @pytest.mark.parametrize(
     ("options", "sentence"),
     [
-        ({"minimum": -0.1}, "minimum must lie in 0..1 s, got -0.1; choose another"),
-        ({"minimum": float("nan")}, "minimum must lie in 0..1 s, got nan; choose another"),
-        ({"anticipation": 0.2}, "anticipation must lie in 0..0.12 s, got 0.2; choose another"),
+        ({"minimum": -0.1}, "minimum must lie in 0..1 s, got -0.1; choose another value"),
+        ({"minimum": float("nan")}, "minimum must lie in 0..1 s, got nan; choose another value"),
+        ({"anticipation": 0.2}, "anticipation must lie in 0..0.12 s, got 0.2; choose another value"),
     ],
 )
 def test_impossible_times_are_refused(options: dict[str, float], sentence: str) -> None:

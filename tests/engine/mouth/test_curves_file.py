@@ -66,7 +66,7 @@ def test_what_was_exported_comes_back(tmp_path: Path) -> None:
             "a file of curves has the format 'phonemeanalyser curves 1', found 'x'; choose another file",
         ),
         ({"rate": 0}, "rate must be a number of frames a second above 0, found 0; correct it"),
-        ({"more": 1}, "a file of curves does not know 'more'"),
+        ({"more": 1}, "a file of curves cannot have an entry 'more'"),
         ({"curves": [{"name": "a", "values": [float("nan")]}]}, "values must be a list of numbers"),
         ({"curves": [*GOOD["curves"], {"name": "jawOpen", "values": []}]}, "curves names 'jawOpen' twice"),
         ({"curves": [*GOOD["curves"], {"name": "b", "values": [1]}]}, "3 values of 'jawOpen' and 1 of 'b'"),

@@ -197,7 +197,7 @@ def test_a_face_that_cannot_move_is_refused_in_one_sentence(case: str, tmp_path:
 
 
 def test_a_face_that_is_not_there_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(ExportError, match=r"gone.glb: cannot be read \(No such file or directory\); check the file"):
+    with pytest.raises(ExportError, match=r"gone.glb: there is no such file; check its name and folder"):
         animated(tmp_path / "gone.glb")
 
 

@@ -136,7 +136,7 @@ def test_a_file_of_keys_gives_them_back(tmp_path):
         ("", "begins with format"),
         ('format = "phonemeanalyser-keys-9"', "begins with format"),
         ("no", "no TOML file"),
-        (f'format = "{FORMAT}"\nshapes = 1', "does not know 'shapes'"),
+        (f'format = "{FORMAT}"\nshapes = 1', "cannot have an entry 'shapes'"),
         (f'format = "{FORMAT}"\n[[curves]]\nmovestate = "a"\ntimes = [0.0]\noffsets = []', "1 times and 0 offsets"),
         (f'format = "{FORMAT}"\n[[curves]]\nmovestate = "a"\ntimes = [0.0]\noffsets = [0.0]', "2..100000 keys"),
         (f'format = "{FORMAT}"\n[[curves]]\nmovestate = "a"\ntimes = [1, 1]\noffsets = [0, 0]', "found 1 s"),

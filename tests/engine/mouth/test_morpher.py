@@ -233,7 +233,7 @@ def test_old_movements_are_forgotten() -> None:
     ],
 )
 def test_an_impossible_manner_is_refused(name: str, value: float, limits: str) -> None:
-    with pytest.raises(MouthError, match=rf"{name} must lie in {limits}, got {value:g}; correct it"):
+    with pytest.raises(MouthError, match=rf"{name} must lie in {limits}, got {value:g}; choose another value"):
         MotionSettings(**{name: value})
 
 

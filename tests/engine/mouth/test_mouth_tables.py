@@ -153,15 +153,15 @@ CHANGES = {
     "no format": (
         'format = "phonemeanalyser mouth 1"',
         "",
-        "begins with format = 'phonemeanalyser mouth 1', found None",
+        "begins with format = 'phonemeanalyser mouth 1', found none",
     ),
     "not TOML": ("firm =", "firm", "this is no TOML file"),
-    "unknown key": ("firm =", "speed = 1\nfirm =", "does not know 'speed'; known are"),
+    "unknown key": ("firm =", "speed = 1\nfirm =", "cannot have an entry 'speed'; remove it, or use one of"),
     "notes as number": ('notes = """', 'notes = 7\nname2 = """', "name2|notes"),
     "name as number": ('name = "VRM A I U E O"', "name = 5", "name must be text, found 5"),
-    "phonemes as text": ("[phonemes]", "[phoneme]", "does not know 'phoneme'"),
+    "phonemes as text": ("[phonemes]", "[phoneme]", "cannot have an entry 'phoneme'"),
     "lacking phoneme": ('sz = "teeth"\n', "", r"\[phonemes\] lacks sz; name its mouth shape"),
-    "unknown phoneme": ('sz = "teeth"', 'sz = "teeth"\nth = "teeth"', r"\[phonemes\] knows no phoneme 'th'"),
+    "unknown phoneme": ('sz = "teeth"', 'sz = "teeth"\nth = "teeth"', r"\[phonemes\]: there is no phoneme 'th'"),
     "unknown shape": (
         'sz = "teeth"',
         'sz = "tooth"',
@@ -181,7 +181,7 @@ CHANGES = {
     "no movestates": ('movestates = "vrm"\n', "", "a mouth table lacks movestates; add it"),
     "firm unknown": ('firm = ["m", "p"]', 'firm = ["b"]', "firm must be one of silence, .*, found 'b'"),
     "firm as text": ('firm = ["m", "p"]', 'firm = "m"', "firm must be a list, found 'm'"),
-    "unknown manner": ("[shapes.A]", "[manner]\nspeed = 1\n[shapes.A]", r"\[manner\] does not know 'speed'"),
+    "unknown manner": ("[shapes.A]", "[manner]\nspeed = 1\n[shapes.A]", r"\[manner\] cannot have an entry 'speed'"),
     "manner as text": ("[shapes.A]", '[manner]\nattack = "fast"\n[shapes.A]', r"\[manner\] attack must be a number"),
     "manner too slow": (
         "[shapes.A]",
@@ -193,7 +193,7 @@ CHANGES = {
         "[times]\nsilence = { attack = 0.1 }",
         r"\[times\] silence has none: .* remove it",
     ),
-    "times of nobody": ("[times]", "[times]\nth = { attack = 0.1 }", r"\[times\] knows no phoneme 'th'"),
+    "times of nobody": ("[times]", "[times]\nth = { attack = 0.1 }", r"\[times\]: there is no phoneme 'th'"),
     "times as number": ("a = { attack = 0.10, release = 0.20 }", "a = 0.1", r"\[times\] a must be like .* found 0.1"),
     "unknown time": ("a = { attack = 0.10", "a = { hold = 0.10", r"\[times\] a must be like { attack = 0.1"),
     "time as text": ("a = { attack = 0.10", 'a = { attack = "0.1"', r"\[times.a\] attack must be a number"),
@@ -238,7 +238,7 @@ def test_a_table_that_is_not_there_is_refused_with_those_that_are(tmp_path: Path
     (tmp_path / "picture.toml").write_bytes(b"\x89PNG\r\n\x1a\n\xff")
     with pytest.raises(MouthError, match="no text file"):
         load_table(tmp_path / "picture.toml")
-    with pytest.raises(MouthError, match="cannot be read"):
+    with pytest.raises(MouthError, match="this is a folder; choose a file in it"):
         load_table(tmp_path)
 
 

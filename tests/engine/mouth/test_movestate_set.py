@@ -99,7 +99,7 @@ class TestPercentages:
         np.testing.assert_array_equal(full.weights, np.array([0.5, 0, 0, 1.5], np.float32))
 
     def test_an_unknown_state_is_refused_with_those_that_are_known(self):
-        with pytest.raises(MeshError, match="no movestate 'smile'; known are open, wide, purse, blink"):
+        with pytest.raises(MeshError, match="no movestate 'smile'; choose one of open, wide, purse, blink"):
             states().set_percentage("smile", 10)
 
     @pytest.mark.parametrize("percent", [math.nan, math.inf, 1001, -1001])

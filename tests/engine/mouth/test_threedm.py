@@ -108,8 +108,8 @@ class TestTheLayout:
 
 
 REFUSED = {
-    "empty": (b"", "begins with b'3dm01"),
-    "another magic": (b"3dm02\0" + GOOD[6:], "begins with b'3dm01"),
+    "empty": (b"", "begins with 3dm01"),
+    "another magic": (b"3dm02\0" + GOOD[6:], "begins with 3dm01"),
     "only the magic": (b"3dm01\0", "ends before the number of movestates"),
     "more states than there is room": (file(ONE, n=HUGE, moving=MOVING), "movestates is said to be 4294967295"),
     "one state more": (file(ONE, n=2, moving=MOVING), "the name of movestate 1|is said to be"),
@@ -199,7 +199,7 @@ def test_a_huge_file_is_refused_before_it_is_read(tmp_path: Path, kind: str):
 def test_what_is_no_file_is_refused(tmp_path: Path, kind: str):
     (tmp_path / f"folder{kind}").mkdir()
     for name in ("missing", "folder"):
-        with pytest.raises(MeshError, match=rf"^{name}{kind}: cannot be read \("):
+        with pytest.raises(MeshError, match=rf"^{name}{kind}: (there is no such file|this is a folder);"):
             load_morph_targets(tmp_path / f"{name}{kind}")
 
 

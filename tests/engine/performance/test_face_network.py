@@ -174,7 +174,7 @@ def test_what_is_no_network_is_refused_in_a_sentence(network: FaceNetwork, tmp_p
         with pytest.raises(ModelError, match=sentence):
             load_face_network(tmp_path / "other.face")
     (tmp_path / "text.face").write_text("no")
-    for name, sentence in (("text.face", "no network of a face"), ("none.face", "cannot be read")):
+    for name, sentence in (("text.face", "no network of a face"), ("none.face", "there is no such file")):
         with pytest.raises(ModelError, match=sentence):
             load_face_network(tmp_path / name)
 

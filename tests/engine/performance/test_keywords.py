@@ -112,15 +112,15 @@ def test_a_file_of_the_users_own_adds_words_and_gestures(tmp_path: Path) -> None
     [
         ("[gestures", "this is no TOML file"),
         ('format = "other"', "begins with format"),
-        (HEADING + "[words.en]", "does not know 'words'"),
+        (HEADING + "[words.en]", "cannot have an entry 'words'"),
         (HEADING + "[gestures.bow]\nshortest = 1", r"\[gestures.bow\] lacks channels"),
-        (BOW.replace("headPitch", "jawOpen"), "knows no channel 'jawOpen'"),
+        (BOW.replace("headPitch", "jawOpen"), "there is no channel 'jawOpen'"),
         (BOW.replace("-20", "-200"), r"headPitch must be a list of up to 50 numbers within ±60, found \[-200.0\]"),
         (BOW.replace("0.2", "2"), "browDown must be a list of up to 50 numbers within ±1"),
         (BOW.replace("-20", '"x"'), "headPitch must be a list of numbers"),
         (BOW.replace("shortest = 1", "shortest = -1"), r"shortest must be seconds in 0..5, found -1"),
-        (BOW.replace("bow", CONJUNCTIONS), "does not know 'conjunctions'"),
-        (HEADING + '[languages.en]\nwink = ["yes"]', r"\[languages.en\] does not know 'wink'"),
+        (BOW.replace("bow", CONJUNCTIONS), "cannot have an entry 'conjunctions'"),
+        (HEADING + '[languages.en]\nwink = ["yes"]', r"\[languages.en\] cannot have an entry 'wink'"),
         (BOW + "[languages.en]\nbow = [1]", r"bow must be a list of words, found \[1\]"),
         (BOW + '[languages.en]\nbow = ["..."]', "bow must be a list of words"),
         (BOW + '[languages.en]\nbow = "yes"', "bow must be a list, found 'yes'"),
@@ -136,7 +136,7 @@ def test_what_is_no_key_word_is_refused_in_a_sentence(text: str, sentence: str) 
 def test_a_refusal_names_the_file(tmp_path: Path) -> None:
     path = tmp_path / "own.toml"
     path.write_text(HEADING + "[languages.en]\nwink = []\n")
-    with pytest.raises(PerformanceError, match=r"own.toml: \[languages.en\] does not know 'wink'"):
+    with pytest.raises(PerformanceError, match=r"own.toml: \[languages.en\] cannot have an entry 'wink'"):
         load_keywords(path)
 
 

@@ -176,7 +176,7 @@ def test_it_is_saved_beside_its_preset(tmp_path):
     without = load_preset(tmp_path / "mine.toml")
     assert without.live_encoder is None
     (said,) = without.warnings
-    assert said.startswith("mine.encoder.onnx: cannot be read")
+    assert said.startswith("mine.encoder.onnx: there is no such file")
 
 
 def test_one_that_ships_with_the_program_is_named_and_not_copied(tmp_path):

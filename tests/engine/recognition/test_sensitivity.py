@@ -61,7 +61,7 @@ def test_a_preset_file_keeps_sensitivities(tmp_path):
 @pytest.mark.parametrize(
     ("line", "words"),
     [
-        ("oe = 1.0", r"\[sensitivities\] knows no phoneme 'oe'; known are silence"),
+        ("oe = 1.0", r"\[sensitivities\]: there is no phoneme 'oe'; did you mean"),
         ("a = true", "a must be a number .* found True"),
         ("a = nan", "a must be a number within"),
         ("a = 11", "the sensitivity for a must lie within ±10, got 11"),

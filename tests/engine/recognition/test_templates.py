@@ -120,7 +120,7 @@ def test_a_preset_file_keeps_the_templates(utterance: LabelledUtterance):
         ("a = [\n    1.0,", "a = [\n    inf,", ".templates. a must be a list of numbers within"),
         ("a = [\n    1.0,", "a = [\n    true,", ".templates. a must be a list of numbers"),
         ("a = [\n    1.0,", f"a = [\n    1{400 * '0'},", ".templates. a must be a list of numbers within"),
-        ("a = [\n    1.0,", "silence = [\n    1.0,", "does not know 'silence'"),
+        ("a = [\n    1.0,", "silence = [\n    1.0,", "cannot have an entry 'silence'"),
         ("spread = [\n    1.0,", "spread = [\n    0.0,", "the spread must be above 0"),
     ],
 )

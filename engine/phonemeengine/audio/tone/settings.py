@@ -112,8 +112,7 @@ class Tone:
             raise SettingsError(
                 f"a sweep must rise, got low {self.low:g} Hz and high {self.high:g} Hz; raise high or lower low"
             )
-        if not 1 <= len(self.formants) <= MOST_FORMANTS:
-            raise SettingsError(f"a vowel must have 1..{MOST_FORMANTS} formants, got {len(self.formants)}")
+        check_range("the number of formants", len(self.formants), (1, MOST_FORMANTS, ""))
 
 
 def vowel_of(formants: tuple[Formant, ...]) -> str | None:

@@ -12,7 +12,7 @@ import numpy as np
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.calibration.background_sounds import music
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
-from phonemeengine.errors import AudioError, CorpusError, SettingsError
+from phonemeengine.errors import AudioError, CorpusError, SettingsError, check_range
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import HOP, SAMPLE_RATE
 
@@ -63,12 +63,9 @@ class AddedNoise:
     seed: int = 0
 
     def __post_init__(self) -> None:
-        if not LOWEST_SNR <= self.snr <= HIGHEST_SNR:
-            raise SettingsError(
-                f"speech must be {LOWEST_SNR:g}..{HIGHEST_SNR:g} dB above the noise, got {self.snr:g} dB"
-            )
+        check_range("the signal-to-noise ratio", self.snr, (LOWEST_SNR, HIGHEST_SNR, "dB"))
         if self.seed < 0:
-            raise SettingsError(f"the noise's seed must be 0 or more, got {self.seed}")
+            raise SettingsError(f"the noise's seed must be 0 or more, got {self.seed}; choose another")
 
 
 class NoiseAdder:

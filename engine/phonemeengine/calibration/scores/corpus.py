@@ -182,10 +182,12 @@ def read_recordings(
     ------
     Cancelled : the answer of `progress` is not to go on.
     UnknownPhonemeError : names in the label files stand for no phoneme; it holds those of all files.
-    CorpusError : a label file says something impossible, or there is none.
+    CorpusError : a label file says something impossible, or there is none, or no such folder.
     AudioError : a sound is missing or cannot be read.
     """
     source, mapping = Path(source), mapping or PhonemeMap()
+    if not source.exists():
+        raise CorpusError(f"{printable_name(source)}: there is no such folder; name one with labelled recordings")
     if (source / MANIFEST).is_file():
         return read_corpus(source, mapping, channel=channel, on_skipped=on_skipped, progress=progress)
     pairs = list(_pairs_beside(source, speaker, channel))

@@ -73,11 +73,14 @@ class Take:
             )
         paused = [time for pause in self.pauses for time in pause]
         if paused != sorted(paused) or not all(0 <= time <= self.duration for time in paused):
-            raise TakeError(f"{self.name}: pauses must follow one another in the sound, got {self.pauses!r:.60}")
+            raise TakeError(
+                f"{self.name}: pauses must follow one another in the sound, got {self.pauses!r:.60}; correct them"
+            )
         parts = PurePosixPath(self.sound).parts
         if len(parts) < 2 or parts[0] not in {TAKES, DELETED} or ".." in parts or re.search(r"[\\:\0]", self.sound):
             raise TakeError(
-                f"a take's sound must lie in {TAKES}/ or {DELETED}/ of its project, got {self.sound!r:.80}"
+                f"a take's sound must lie in {TAKES}/ or {DELETED}/ of its project, got {self.sound!r:.80}; "
+                "correct it"
             )
 
     @property

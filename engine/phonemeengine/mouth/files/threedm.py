@@ -26,7 +26,7 @@ def parse_3dm(content: bytes) -> MorphTargets:
     MeshError : it is no .3dm file, is cut off or too long, or says something impossible.
     """
     if not content.startswith(MAGIC):
-        raise MeshError(f"a .3dm file begins with {MAGIC!r}, this with {content[:6]!r}; choose another file")
+        raise MeshError("a .3dm file begins with 3dm01, this does not; choose another file")
     pieces = _Pieces(content, len(MAGIC))
     n_states = pieces.count("the number of movestates", MOST_STATES, 8)
     states = []

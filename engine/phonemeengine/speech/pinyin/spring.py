@@ -65,7 +65,8 @@ class Spring:
         try:
             mass, stiffness, damping = map(float, text.split(","))
         except ValueError as error:
-            raise MouthError(f"a spring is MASS,STIFFNESS,DAMPING, such as 1,900,60, found {text[:60]!r}") from error
+            words = f"a spring is MASS,STIFFNESS,DAMPING, such as 1,900,60, found {text[:60]!r}; correct it"
+            raise MouthError(words) from error
         return cls(mass, stiffness, damping)
 
 

@@ -10,7 +10,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.errors import MouthError
+from phonemeengine.errors import MouthError, remedy
 from phonemeengine.labels.pinyin import FINALS, INITIALS, initial_and_final, sound_of
 from phonemeengine.mouth.table import (
     SPEAKING,
@@ -175,7 +175,8 @@ def _parts_of(table: StrictTable, parts: Collection[str], shapes: Collection[str
         shape_named(table.name, shape, shapes)
         for part in table.value(shape, list):
             if not isinstance(part, str) or part not in parts:
-                raise MouthError(f"{table.name} {shape} does not know {shown(part)}; known are {', '.join(parts)}")
+                words = remedy(str(part), parts)
+                raise MouthError(f"{table.name} {shape} names {shown(part)}, which does not exist; {words}")
             if part in found:
                 raise MouthError(f"{table.name} names {part!r} twice; remove one")
             found[part] = shape

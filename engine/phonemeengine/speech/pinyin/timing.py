@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
-from phonemeengine.errors import TextError
+from phonemeengine.errors import TextError, check_range
 from phonemeengine.labels.articulation import articulations_of, letters_of
 from phonemeengine.labels.label import ROUNDING
 from phonemeengine.labels.phone_sets import ipa_phoneme
@@ -117,10 +117,7 @@ def pause_unit(table: PinyinTable, rate: float) -> float:
     ------
     TextError : the rate lies outside 0.5..10.
     """
-    if not SLOWEST <= rate <= FASTEST:
-        raise TextError(
-            f"the rate must lie in {SLOWEST:g}..{FASTEST:g} syllables per second, got {rate:g}; choose another"
-        )
+    check_range("the rate", rate, (SLOWEST, FASTEST, "syllables per second"), TextError)
     return table.pause / rate
 
 
