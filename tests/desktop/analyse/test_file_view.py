@@ -88,7 +88,7 @@ def test_the_wheel_zooms_at_the_pointer_and_with_shift_scrolls(desktop, panel):
     assert desktop.session.view.seen.seconds == pytest.approx(before.seconds)
 
 
-def test_a_drag_scrolls_and_a_click_goes_there(desktop, panel):
+def test_a_drag_scrolls_and_a_click_goes_there(desktop, panel, qtbot):
     time = desktop.session.view
     time.show(TimeSpan(1.0, 2.0))
     drag(panel.view, LEFT + 200, LEFT + 100)
@@ -97,6 +97,8 @@ def test_a_drag_scrolls_and_a_click_goes_there(desktop, panel):
     at = panel.view.file_layout.time_at(LEFT + 50)
     QTest.mouseClick(panel.view, Qt.MouseButton.LeftButton, pos=QPoint(LEFT + 50, 20))
     assert desktop.session.source.position == pytest.approx(at, abs=0.02)
+    panel.view.grab()  # asks for what is seen now
+    qtbot.waitUntil(lambda: not desktop.session.busy)
     kept = panel.view.grab().toImage()
     desktop.session.labels.changed.emit()
     assert panel.view.grab().toImage() == kept  # all is painted anew
