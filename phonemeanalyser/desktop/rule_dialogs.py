@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QDialog, QFormLayout, QWidget
 from typing_extensions import override
 
 from phonemeanalyser.desktop.analyse.recognition.rule_editor import RuleEditor
+from phonemeanalyser.desktop.analyse.recognition.variable_panel import VariablePanel
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.rules import Draft, RuleModel, RuleTrial
@@ -151,8 +152,9 @@ class RuleDialogs(QObject):
         super().__init__(window)
         self._window, self._rules = window, rules
 
-    def join(self, editor: RuleEditor, choose_recogniser: Callable[[str], object]) -> None:
-        """Do what the editor asks for."""
+    def join(self, editor: RuleEditor, panel: VariablePanel, choose_recogniser: Callable[[str], object]) -> None:
+        """Do what the editor and the panel of the variable ask for."""
+        panel.use_asked.connect(self.ask_use)
         editor.condition_asked.connect(self.ask_condition)
         editor.from_takes_asked.connect(self.find_asked)
         editor.recogniser_asked.connect(choose_recogniser)

@@ -207,7 +207,8 @@ class MainWindow(QMainWindow):
         self._thresholds = docks.add(tr_noop("Thresholds"), right, self.analysis.thresholds)
         variable = docks.add_behind(phoneme, tr_noop("Variable"), self.analysis.variable)
         self.analysis.variable.looked_for.connect(lambda: docks.bring_forward(variable))
-        docks.add_behind(self._thresholds, tr_noop("Rules"), self.analysis.rules)
+        rules = docks.add_behind(self._thresholds, tr_noop("Rules"), self.analysis.rules)
+        rules.visibilityChanged.connect(self.analysis.rules.set_seen)
         docks.add(tr_noop("Head"), left, self.head).hide()
         return {self._filters: FILTERS_WIDTH, phoneme: PHONEME_WIDTH, self._thresholds: PHONEME_WIDTH}
 
@@ -265,8 +266,7 @@ class MainWindow(QMainWindow):
         dialogs.curves.loaded = lambda: () if self._calibration is None else self._calibration.workbench.utterances
         self.analysis.averaged.table_asked.connect(lambda: self._docks.show(self._spectra))
         dialogs.presets.join(self.preset_box)
-        self.rule_dialogs.join(self.analysis.rules, dialogs.presets.choose_recogniser)
-        self.analysis.variable.use_asked.connect(self.rule_dialogs.ask_use)
+        self.rule_dialogs.join(self.analysis.rules, self.analysis.variable, dialogs.presets.choose_recogniser)
         self.rule_dialogs.find_asked.connect(self._find_rules)
         dialogs.sound_changed.connect(self.status.chips.show_changed)
         self.status.chips.open_again_asked.connect(dialogs.open_again)

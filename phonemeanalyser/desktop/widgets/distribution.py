@@ -89,7 +89,7 @@ class DistributionView(QWidget):
         self._thresholds = thresholds
         self._theme = theme
         self._left, self._right = NARROW if narrow else WIDE
-        self._written = shortest if narrow else short
+        self._digits = 2 if narrow else 3
         self._distribution: Distribution | None = None
         self._words, self._best = "", float("nan")
         self.lines: Sequence[DrawnThreshold] = []
@@ -229,7 +229,9 @@ class DistributionView(QWidget):
         x = self.x_of(spread.median)
         painter.fillRect(QRectF(x - 1.5, middle - half - 2, 3, 2 * half + 4), QColor(self._theme.text))
         for k, value in enumerate((spread.minimum, spread.median, spread.maximum)):
-            draw_text(painter, self._cell(k, top, height), self._written(value), self._theme.text, 11, AT_RIGHT)
+            draw_text(
+                painter, self._cell(k, top, height), shortest(value, self._digits), self._theme.text, 11, AT_RIGHT
+            )
 
     def _paint_histogram(
         self,
@@ -292,7 +294,7 @@ class DistributionView(QWidget):
         x = self.x_of(threshold)
         painter.setPen(QPen(QColor(self._theme.accent), 1.2, Qt.PenStyle.DashLine))
         painter.drawLine(QPointF(x, TOP - 4), QPointF(x, self.height() - BOTTOM))
-        box = QRectF(x - 75, 1, 150, 13)
+        box = QRectF(x - 75, 14 if len(self.lines) == 1 else 1, 150, 13)  # beside the name of a single line
         box.moveLeft(min(max(box.left(), 4.0), self.width() - self._right - 146.0))
         draw_text(
             painter, box, tr("best threshold {value}").format(value=short(threshold)), self._theme.accent, 10, CENTRED
@@ -386,10 +388,11 @@ def short(value: float) -> str:
     return f"{value:.0f}" if abs(value) >= 1000 else f"{value:.3g}"
 
 
-def shortest(value: float) -> str:
-    """Write a number with two digits that count, one below a thousandth, in as little room as there is."""
-    small = 0 < abs(value) < 0.001
-    return short(value) if abs(value) >= 100 else f"{value:{'.0e' if small else '.2g'}}".replace("e-0", "e-")
+def shortest(value: float, digits: int) -> str:
+    """Write a number with so many digits that count in as little room as there is; in two, small ones have one."""
+    if 0 < abs(value) < 0.001:
+        return f"{value:.{digits - 1 if digits > 2 else 0}e}".replace("e-0", "e-")
+    return short(value) if abs(value) >= 100 else f"{value:.{digits}g}"
 
 
 def _ticks(distribution: Distribution, most: int) -> list[float]:

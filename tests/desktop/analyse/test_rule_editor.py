@@ -191,6 +191,17 @@ def test_only_the_rules_for_one_phoneme_are_shown_if_that_is_asked_for(editor):
     assert [item(editor, k).isHidden() for k in range(3)] == [True, False, True]
 
 
+def test_what_changed_while_the_dock_was_behind_another_is_shown_when_it_comes_forward(desktop, window, editor):
+    docks = {dock.objectName(): dock for dock in window.findChildren(QDockWidget)}
+    docks["Thresholds"].raise_()
+    QApplication.processEvents()
+    desktop.preset.edit(replace(desktop.preset.preset, rules=OWN[::2]), "test")
+    assert len(texts(editor)) == 3
+    docks["Rules"].raise_()
+    QApplication.processEvents()
+    assert texts(editor) == ["1  silence", "2  a  otherwise"]
+
+
 def test_what_is_wrong_with_a_rule_is_said_beside_it(desktop, editor, qtbot):
     contrary = replace(OWN[0], conditions=(QUIET, replace(QUIET, sign=">", limit=0.1)))
     hidden = replace(OWN[0], conditions=(replace(QUIET, limit=0.01),))

@@ -1,6 +1,7 @@
 """The 21 thresholds: sliders, numbers, live marks, undo."""
 
 from dataclasses import fields
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 
 from phonemeanalyser.desktop.analyse.recognition.threshold_view import CURVATURE
+from phonemeanalyser.desktop.session.preset import PresetDocument
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import LAYOUT, PhonemeData
 from phonemeengine.recognition.rules import CONDITIONS
@@ -39,6 +41,24 @@ def test_all_21_thresholds_have_a_slider_a_number_and_a_reset(window):
     assert sorted(names) == sorted(NAMES)
     assert list(window.analysis.thresholds.rows)[:21] == names
     assert len(names) == 21
+
+
+def test_sliders_of_a_preset_to_which_x_goes_back_are_kept_and_show_its_values(desktop, window):
+    view, preset = window.analysis.thresholds, desktop.preset
+    preset.set_other(PresetDocument.read(Path("extended")))
+    rows, before = view.rows, preset.preset.thresholds.silence_energy
+    preset.switch()
+    others = view.rows
+    assert rows.keys() != others.keys()
+    preset.switch()
+    preset.tune("silence_energy", before + 1)
+    assert view.rows is rows
+    preset.switch()
+    assert view.rows is others
+    preset.switch()
+    assert rows["silence_energy"].slider.isVisible()
+    assert rows["silence_energy"].slider.value == pytest.approx(before + 1)
+    assert not next(iter(others.values())).slider.isVisible()
 
 
 def test_a_drag_moves_one_threshold_and_its_number_and_undo_takes_the_whole_drag_back(desktop, window):

@@ -69,8 +69,18 @@ def test_rules_of_the_preset_s_variables_ask_for_nothing_else_and_are_discarded(
     assert report is not None
     asked = {condition.variable for rule in report.preset.rules for condition in rule.conditions}
     assert asked <= {*BUILT_IN_NAMES, *(v.name for v in before.variables)}
+    assert panel.figures.isVisibleTo(panel)
+    preset = loaded.booth.desktop.preset
+    preset.set_other(preset.document)
+    assert loaded.model.rule_finding.report is report  # a B beside it changes nothing
+    preset.switch()
+    assert loaded.model.rule_finding.report is None
+    assert not panel.figures.isVisibleTo(panel)
+    preset.switch()
+    preset.set_other(None)
+    loaded.model.rule_finding.report = report
     click(panel.refuse, 10)
-    assert loaded.booth.desktop.preset.preset == before
+    assert preset.preset == before
     assert not panel.figures.isVisibleTo(panel)
 
 

@@ -22,6 +22,12 @@ def faults(samples, noise_level=ROOM, phoneme=Phoneme.A):
     return list(report.faults)
 
 
+def test_a_take_in_which_nothing_sounds_has_the_level_of_all_of_it():
+    report = check_take(noise(1.0, 0.001), 0.001, Phoneme.A)
+    assert list(report.faults) == [Fault.SILENT]
+    assert report.level == pytest.approx(-60, abs=0.5)
+
+
 def test_a_good_take_is_good_and_says_where_the_sound_is():
     report = check_take(in_a_room(silence(0.5), vowel(A, 1.0), silence(0.5)), ROOM, Phoneme.A)
     assert report.good

@@ -124,7 +124,8 @@ def check_take(samples: Float32Array, noise: float, phoneme: Phoneme) -> TakeRep
     is_silence = phoneme is Phoneme.SILENCE
     sounding = slice(0, len(levels)) if is_silence else _sounding_in(levels, noise, bridged=phoneme is Phoneme.P)
     steady = sounding if phoneme in {Phoneme.SILENCE, Phoneme.P} else _steady_in(levels, sounding)
-    power = float(np.mean(levels[steady] ** 2)) if steady.stop > steady.start else 0.0
+    measured = levels[steady] if steady.stop > steady.start else levels
+    power = float(np.mean(measured**2)) if len(measured) else 0.0
     clean = max(power - noise**2, TINY)
     report = TakeReport(
         faults={},

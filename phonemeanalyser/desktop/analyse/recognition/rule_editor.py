@@ -35,6 +35,7 @@ class RuleEditor(QWidget):
     def __init__(self, rules: RuleModel, theme: Theme) -> None:
         super().__init__()
         self._rules, self._theme = rules, theme
+        self._seen = True
         self.tree = RuleTree(rules, theme)
         sounds = [(tr("All phonemes"), None), *((sound_name(p), p) for p in Phoneme)]
         self.phoneme = choice(sounds, tr("Phoneme"), tr("Show the rules for this phoneme only"))
@@ -96,7 +97,14 @@ class RuleEditor(QWidget):
         tree.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         tree.customContextMenuRequested.connect(self._show_menu)
 
+    def set_seen(self, seen: bool) -> None:
+        """Take note of whether the user sees the editor; while not, its hundreds of cells are left as they are."""
+        self._seen = seen
+        self._show()
+
     def _show(self) -> None:
+        if not self._seen:
+            return
         rules, preset = self._rules, self._rules.preset
         has_rules = bool(rules.rules)
         for widget in (self.tree, self.phoneme):

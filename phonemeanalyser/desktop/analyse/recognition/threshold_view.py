@@ -18,6 +18,7 @@ from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import (
     ScrolledDown,
+    column,
     grid,
     label,
     leave_wheel,
@@ -183,6 +184,10 @@ class ThresholdView(ScrolledDown):
         self._theme = theme
         self.rows: dict[str, Row] = {}
         self._shown: tuple[ControlGroup, ...] = ()
+        self._kept: tuple[tuple[ControlGroup, ...], dict[str, Row], QWidget] | None = None
+        self._body, self._fields = QWidget(), QWidget()
+        self._column = column(self._fields, on=self._body)
+        self.show_body(self._body)
         preset.changed.connect(self._show_preset)
         self._show_preset()
 
@@ -222,8 +227,7 @@ class ThresholdView(ScrolledDown):
 
     def _show_preset(self) -> None:
         if self._shown != self._preset.control_groups:
-            self._shown = self._preset.control_groups
-            self._fill()
+            self._exchange(self._preset.control_groups)
         preset = self._preset.preset
         for name, row in self.rows.items():
             value = row.control.read(preset)
@@ -233,9 +237,23 @@ class ThresholdView(ScrolledDown):
             saved = self._preset.saved_value(name)
             row.reset.setVisible(saved is not None and value != saved)
 
+    def _exchange(self, groups: tuple[ControlGroup, ...]) -> None:
+        """Show other controls; those before are kept for X, since it takes long to make hundreds of widgets."""
+        kept, self._kept = self._kept, (self._shown, self.rows, self._fields)
+        self._shown = groups
+        self._fields.hide()
+        if kept is not None and kept[0] == groups:
+            self.rows, self._fields = kept[1:]
+            self._fields.show()
+        else:
+            if kept is not None:
+                kept[2].deleteLater()
+            self._fill()
+        self.keep_width(self._body)
+
     def _fill(self) -> None:
-        body = QWidget()
-        fields = grid(body, margins=(6, 2, 6, 6), across=5, down=1)
+        self._fields = QWidget()
+        fields = grid(self._fields, margins=(6, 2, 6, 6), across=5, down=1)
         fields.setColumnStretch(1, 1)
         self.rows = {}
         for group in self._shown:
@@ -243,8 +261,8 @@ class ThresholdView(ScrolledDown):
             for control in group.controls:
                 self.rows[control.name] = self._add_row(fields, fields.rowCount(), control)
         fields.setRowStretch(fields.rowCount(), 1)
-        leave_wheel(body)
-        self.show_body(body)
+        leave_wheel(self._fields)
+        self._column.addWidget(self._fields)
 
     def _heading(self, group: ControlGroup) -> QLabel:
         heading = QLabel(
@@ -263,8 +281,8 @@ class ThresholdView(ScrolledDown):
         tip = f"<p>{hint}</p><p>{tr('Drag, or press the arrow keys (Shift: finer steps).')}</p>"
         slider = named(ThresholdSlider(control, self._theme), self._name_of(control), tip)
         row = Row(control, slider, self._number(control), self._reset())
-        for column, widget in enumerate((words, slider, row.number, row.reset)):
-            fields.addWidget(widget, at, column)
+        for k, widget in enumerate((words, slider, row.number, row.reset)):
+            fields.addWidget(widget, at, k)
         for widget in (slider, row.number):
             widget.installEventFilter(self)
         slider.moved.connect(partial(self._preset.tune, control.name))

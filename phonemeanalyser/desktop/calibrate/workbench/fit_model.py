@@ -44,6 +44,9 @@ class FitModel(QObject):
         self._preset = preset
         self._workbench = workbench
         self.searching = TaskQueue(self.error.emit)
+        self._side = preset.letter, preset.path
+        for signal in (preset.loaded, preset.sides_changed):
+            signal.connect(self._follow_preset)
 
     @property
     def why_not(self) -> str:
@@ -83,6 +86,13 @@ class FitModel(QObject):
     def _take_report(self, report: FitReport) -> None:
         self.report = report
         self.changed.emit()
+
+    def _follow_preset(self) -> None:
+        """Keep nothing that was found for another preset: its figures before are not those of the one in use."""
+        before, self._side = self._side, (self._preset.letter, self._preset.path)
+        if before != self._side:
+            self.searching.cancel()
+            self.refuse()
 
 
 class RuleFinding(FitModel):
