@@ -7,11 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtGui import QUndoCommand, QUndoStack
-from typing_extensions import override
+from PySide6.QtGui import QUndoStack
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeanalyser.desktop.session.undo import UndoableEdit
 from phonemeengine.arrays import IndexArray
 from phonemeengine.calibration.scores.confusion import LabelError, error_spans, label_errors
 from phonemeengine.calibration.scores.corpus import FrameLabels, frame_labels_of
@@ -40,8 +40,6 @@ from phonemeengine.storage.files import printable_name
 
 MOST_SHOWN = 3
 """Tiers that are shown of a file at first: more leave the sonagram little room."""
-ID_OF_MOVES = 1
-"""Of all undo commands that move boundaries."""
 FIRST_TIER = "phonemes"
 """The tier of labels that begin with nothing."""
 
@@ -73,48 +71,6 @@ class LabelState(NamedTuple):
     tiers: tuple[Tier, ...] = ()
     shown: tuple[int, ...] = ()
     said: int | None = None
-
-
-class LabelsEdit(QUndoCommand):
-    """Other labels of a sound; of no use once another sound, or another label file, is open.
-
-    Parameters
-    ----------
-    what : the change in words, for the Edit menu.
-    moves : the boundary that it moves; another command that moves the same one continues it.
-    """
-
-    def __init__(self, labels: "LabelTiers", after: LabelState, what: str, moves: tuple[object, ...] | None) -> None:
-        super().__init__(what)
-        self._labels, self._opened = labels, labels.opened
-        self._before, self._after = labels.state, after
-        self._moves = moves
-
-    @override
-    def id(self) -> int:
-        return ID_OF_MOVES if self._moves is not None else -1
-
-    @override
-    def mergeWith(self, other: QUndoCommand) -> bool:
-        """Go on with a boundary that is still being moved."""
-        if not isinstance(other, LabelsEdit) or (other._moves, other._opened) != (self._moves, self._opened):
-            return False
-        self._after = other._after
-        return True
-
-    @override
-    def redo(self) -> None:
-        self._put(self._after)
-
-    @override
-    def undo(self) -> None:
-        self._put(self._before)
-
-    def _put(self, state: LabelState) -> None:
-        if self._labels.opened == self._opened:
-            self._labels.put(state)
-        else:
-            self.setObsolete(True)
 
 
 class LabelTiers(QObject):
@@ -465,7 +421,7 @@ class LabelTiers(QObject):
 
     def _push(self, state: LabelState, what: str, moves: tuple[object, ...] | None = None) -> None:
         if state != self.state:
-            self._undo_stack.push(LabelsEdit(self, state, what, moves))
+            self._undo_stack.push(UndoableEdit(what, self.put, self.state, state, lambda: self.opened, moves))
 
 
 def _known_of(said: FrameLabels, tracks: SoundTracks) -> FrameLabels:

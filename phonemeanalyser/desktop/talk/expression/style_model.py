@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtGui import QUndoCommand, QUndoStack
-from typing_extensions import override
+from PySide6.QtGui import QUndoStack
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.session.undo import UndoableEdit
 from phonemeanalyser.desktop.tasks import tried
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.expression.channels import shipped_channels
@@ -28,42 +28,6 @@ from phonemeengine.mouth.style import (
 )
 from phonemeengine.storage.files import is_portable
 from phonemeengine.storage.paths import styles_folder
-
-ID_OF_STYLES = 3
-"""What edits of styles have in common on the undo stack."""
-
-
-class StyleEdit(QUndoCommand):
-    """Another content of a style; what continues the same drag of a slider becomes one edit.
-
-    It is of no use once the style is on no side any more.
-    """
-
-    def __init__(self, styles: "StyleModel", name: str, after: Style, run: object) -> None:
-        super().__init__(tr("change of the style {name}").format(name=after.name))
-        self._styles, self._name, self._run = styles, name, run
-        self._before, self._after = styles.edited, after
-
-    @override
-    def id(self) -> int:
-        return ID_OF_STYLES
-
-    @override
-    def mergeWith(self, other: QUndoCommand) -> bool:
-        """Go on with a slider that is still being dragged."""
-        if not isinstance(other, StyleEdit) or (other._name, other._run) != (self._name, self._run):
-            return False
-        self._after = other._after
-        self.setObsolete(self._after == self._before)
-        return True
-
-    @override
-    def redo(self) -> None:
-        self.setObsolete(not self._styles.put(self._name, self._after))
-
-    @override
-    def undo(self) -> None:
-        self.setObsolete(not self._styles.put(self._name, self._before))
 
 
 class StyleModel(QObject):
@@ -189,15 +153,12 @@ class StyleModel(QObject):
         """Take back all edits of the style that is edited since it was saved; that can be undone, too."""
         self._edit(lambda _style: self._saved[self.names[self.side]])
 
-    def put(self, name: str, style: Style) -> bool:
-        """Have this content of a style, unless that is on no side; says whether it is. That cannot be undone."""
-        if name not in self.names.values():
-            return False
+    def put(self, name: str, style: Style) -> None:
+        """Have this content of a style that is on a side; that cannot be undone."""
         self._edited[name] = style
         if style == self._saved[name]:
             del self._edited[name]
         self._use()
-        return True
 
     # -- files --------------------------------------------------------------------------------------------
 
@@ -275,7 +236,16 @@ class StyleModel(QObject):
             self.changed.emit()
             return
         if style != self.edited:
-            self._undo_stack.push(StyleEdit(self, self.names[self.side], style, run or object()))
+            name, what = self.names[self.side], tr("change of the style {name}").format(name=style.name)
+            edit = UndoableEdit(
+                what,
+                partial(self.put, name),
+                self.edited,
+                style,
+                lambda: name in self.names.values(),  # a style that is on no side cannot be edited
+                None if run is None else (name, run),
+            )
+            self._undo_stack.push(edit)
 
     def _use(self) -> None:
         self.style = blend(self.of_side("A"), self.of_side("B"), self.amount if self.names["B"] else 0.0)

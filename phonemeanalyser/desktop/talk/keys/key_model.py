@@ -7,13 +7,12 @@ from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
-from PySide6.QtGui import QUndoCommand
-from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.export_kinds import FaceInUse
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
+from phonemeanalyser.desktop.session.undo import UndoableEdit
 from phonemeanalyser.desktop.talk.drivers.movement import movement_of, recording_of
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.errors import EngineError
@@ -33,29 +32,6 @@ USUAL_SHAPES = ("jawOpen", "mouthPucker", "mouthSmileLeft")
 MOST_SHAPES = 8
 GENERATE_MS = 300
 """So long after the last change the movement is generated anew."""
-
-
-class KeyEdit(QUndoCommand):
-    """Other keys of a sound; of no use once another sound is open."""
-
-    def __init__(self, keys: "KeyModel", after: KeyLayer, what: str) -> None:
-        super().__init__(what)
-        self._keys, self._sound = keys, keys.sound
-        self._before, self._after = keys.layer, after
-
-    @override
-    def redo(self) -> None:
-        self._put(self._after)
-
-    @override
-    def undo(self) -> None:
-        self._put(self._before)
-
-    def _put(self, layer: KeyLayer) -> None:
-        if self._keys.sound == self._sound:
-            self._keys.put(layer)
-        else:
-            self.setObsolete(True)
 
 
 class KeyModel(QObject):
@@ -168,12 +144,16 @@ class KeyModel(QObject):
     def edit(self, movestate: str, curve: KeyCurve, what: str) -> None:
         """Have other keys of a blend shape, until that is undone."""
         if self.possible and curve != self.layer.curve_of(movestate):
-            self._session.preset.undo_stack.push(KeyEdit(self, self.layer.with_curve(movestate, curve), what))
+            self._push(self.layer.with_curve(movestate, curve), what)
+
+    def _push(self, layer: KeyLayer, what: str) -> None:
+        edit = UndoableEdit(what, self.put, self.layer, layer, lambda: self.sound)
+        self._session.preset.undo_stack.push(edit)
 
     def clear(self) -> None:
         """Have no keys, until that is undone."""
         if self.layer:
-            self._session.preset.undo_stack.push(KeyEdit(self, NO_KEYS, tr("delete all keys")))
+            self._push(NO_KEYS, tr("delete all keys"))
 
     def save(self) -> bool:
         """Write the keys beside the sound; says whether that went well."""

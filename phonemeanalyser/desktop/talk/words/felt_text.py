@@ -4,10 +4,10 @@ import re
 from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtGui import QUndoCommand, QUndoStack
-from typing_extensions import override
+from PySide6.QtGui import QUndoStack
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.session.undo import UndoableEdit
 from phonemeanalyser.desktop.talk.expression.expression_model import ExpressionModel
 from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeanalyser.desktop.talk.words.written_text import places_of
@@ -39,28 +39,6 @@ class FeltSpan:
     words: str
     offset: int
     directed: bool
-
-
-class TextEdit(QUndoCommand):
-    """Another text; of no use once it was changed otherwise."""
-
-    def __init__(self, texts: TextModel, after: str, what: str) -> None:
-        super().__init__(what)
-        self._texts, self._before, self._after = texts, texts.text, after
-
-    @override
-    def redo(self) -> None:
-        self._put(self._before, self._after)
-
-    @override
-    def undo(self) -> None:
-        self._put(self._after, self._before)
-
-    def _put(self, old: str, new: str) -> None:
-        if self._texts.text == old:
-            self._texts.set_text(new)
-        else:
-            self.setObsolete(True)
 
 
 class FeltText(QObject):
@@ -188,4 +166,6 @@ class FeltText(QObject):
             self._texts.error.emit(str(error))
             return
         if text != self._texts.text:
-            self._undo_stack.push(TextEdit(self._texts, text, what))
+            ends = (self._texts.text, text)  # once it was changed otherwise, the edit is of no use
+            edit = UndoableEdit(what, self._texts.set_text, *ends, lambda: self._texts.text in ends)
+            self._undo_stack.push(edit)

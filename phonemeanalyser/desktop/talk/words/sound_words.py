@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtGui import QUndoCommand, QUndoStack
-from typing_extensions import override
+from PySide6.QtGui import QUndoStack
 
+from phonemeanalyser.desktop.session.undo import UndoableEdit
 from phonemeengine.batch.work import size_and_time
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
 from phonemeengine.performance.spoken_face import SpokenFace
@@ -40,34 +40,6 @@ class KnownWords:
     utterance: Utterance | None = None
     by_hand: bool = False
     text: str = ""
-
-
-class WordsEdit(QUndoCommand):
-    """Other words, or times, of a sound; of no use once another sound is open.
-
-    Parameters
-    ----------
-    what : the change in words, for the Edit menu.
-    """
-
-    def __init__(self, words: "SoundWords", after: KnownWords, what: str) -> None:
-        super().__init__(what)
-        self._words, self._sound = words, words.sound
-        self._before, self._after = words.known, after
-
-    @override
-    def redo(self) -> None:
-        self._put(self._after)
-
-    @override
-    def undo(self) -> None:
-        self._put(self._before)
-
-    def _put(self, known: KnownWords) -> None:
-        if self._words.sound == self._sound:
-            self._words.put(known)
-        else:
-            self.setObsolete(True)
 
 
 def _state_of(sound: Path | None) -> tuple[int, int] | None:
@@ -134,7 +106,7 @@ class SoundWords(QObject):
     def edit(self, utterance: Utterance, what: str, *, by_hand: bool, text: str | None = None) -> None:
         """Say this of the sound from now on, until that is undone; without a text, it stays what it was."""
         known = KnownWords(utterance, by_hand, self.known.text if text is None else text)
-        self._undo_stack.push(WordsEdit(self, known, what))
+        self._undo_stack.push(UndoableEdit(what, self.put, self.known, known, lambda: self.sound))
 
     def note_saved(self) -> None:
         """Take note that what is known is in a file now."""
