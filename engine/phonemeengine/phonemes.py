@@ -1,6 +1,6 @@
-"""The vocabulary: eleven phonemes and the five mouth shapes they need."""
+"""The vocabulary: eleven phonemes."""
 
-from enum import IntEnum, StrEnum
+from enum import IntEnum
 
 
 class Phoneme(IntEnum):
@@ -30,28 +30,3 @@ VOWELS = (Phoneme.A, Phoneme.E, Phoneme.I, Phoneme.O, Phoneme.U)
 
 NO_PHONEME = len(Phoneme)
 """The code of a frame of which nothing is known."""
-
-
-class MouthShape(StrEnum):
-    """The smallest useful set of visemes."""
-
-    OPEN = "open"
-    WIDE = "wide"
-    ROUND = "round"
-    CLOSED = "closed"
-    SLIGHT = "slightly open"
-
-
-MOUTH_SHAPES: dict[Phoneme, MouthShape] = {
-    Phoneme.A: MouthShape.OPEN,
-    Phoneme.E: MouthShape.WIDE,
-    Phoneme.I: MouthShape.WIDE,
-    Phoneme.O: MouthShape.ROUND,
-    Phoneme.U: MouthShape.ROUND,
-    Phoneme.M: MouthShape.CLOSED,
-    Phoneme.P: MouthShape.CLOSED,
-    Phoneme.SILENCE: MouthShape.CLOSED,
-    Phoneme.SZ: MouthShape.SLIGHT,
-    Phoneme.SCH: MouthShape.SLIGHT,
-    Phoneme.UNIDENTIFIED: MouthShape.SLIGHT,
-}

@@ -3,7 +3,7 @@
 Phones that a change makes or moves were not compared with the sound, so they have no score.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
 
@@ -13,26 +13,6 @@ from phonemeengine.errors import CorpusError
 from phonemeengine.labels.phone_sets import ipa_class, ipa_phoneme, split_ipa
 from phonemeengine.labels.tiers import SHORTEST
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
-
-
-def spread_word(text: str, syllables: Sequence[tuple[Sequence[str], int, str]], start: float, end: float) -> Word:
-    """Return a word whose phones share its time evenly.
-
-    Parameters
-    ----------
-    text : as it is written.
-    syllables : for each its phones, symbols of IPA, its stress and how it is written; at least one phone.
-    start, end : seconds.
-    """
-    n = sum(len(phones) for phones, _, _ in syllables)
-    edges = pairwise(np.linspace(start, end, n + 1).tolist())
-    return Word(
-        text,
-        tuple(
-            Syllable(tuple(Phone(*next(edges), ipa, ipa_phoneme(ipa)) for ipa in phones), stress, written)
-            for phones, stress, written in syllables
-        ),
-    )
 
 
 def with_word(utterance: Utterance, k: int, word: Word) -> Utterance:

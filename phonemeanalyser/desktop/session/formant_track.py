@@ -39,12 +39,6 @@ class FormantTrack(SeenTrack):
         self._known: KnownFormants | None = None
         self._wanted: tuple[int, int] = (0, 0)
 
-    def set_ceiling(self, ceiling: float) -> None:
-        """Look for them below another frequency, Hz."""
-        if ceiling != self.ceiling:
-            self.ceiling = ceiling
-            self._forget()
-
     def formants_in(self, seen: TimeSpan) -> KnownFormants | None:
         """Return what is known, which may be less than is seen; what is missing is measured in the background."""
         if not 0 < seen.seconds <= MOST_SECONDS or self._open is None:

@@ -1,36 +1,22 @@
 """What was said when: lanes of spans over time, one above the other, such as words and phones."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QHelpEvent, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
-from PySide6.QtWidgets import QScrollBar, QSizePolicy, QToolTip, QWidget
+from PySide6.QtCore import QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
+from PySide6.QtWidgets import QScrollBar, QSizePolicy, QWidget
 from typing_extensions import override
 
 from phonemeanalyser.desktop.painting import draw_text
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import column
-from phonemeanalyser.desktop.widgets.lanes import (
-    GRAB,
-    SIZE,
-    TIME_HEIGHT,
-    BoundaryDrag,
-    Lane,
-    TimeAxis,
-    paint_lane,
-    paint_name,
-    paint_times,
-    paint_wave,
-)
-from phonemeengine.dsp.waveform_peaks import Peaks
+from phonemeanalyser.desktop.widgets.lanes import SIZE, Lane, TimeAxis, paint_lane, paint_name
 from phonemeengine.settings import FRAME_PERIOD
 
 LEFT = 76
 HEADING, HEIGHT, GAP = 14, 20, 2
-WAVE_HEIGHT = 32
-"""Pixels of the waveform below the lanes."""
 NARROWEST, WIDEST = 0.02, 12.0
 """Pixels of a frame at most zoom out and in."""
 CLICK = 3
@@ -47,37 +33,27 @@ class Chapter(NamedTuple):
 class Timeline(QWidget):
     """Paints the part of the lanes that is seen.
 
-    Parameters
-    ----------
-    outline : gives the waveform of what is seen, a point for each pixel of the axis; None while it is not
-        known. Without it neither a waveform nor times stand below the lanes.
-
     Attributes
     ----------
     first : the frame of 10 ms at the left edge.
     scale : pixels of a frame.
     lanes, chapters, duration : what there is; see `show_lanes`.
-    playhead : the time that is playing, seconds; None for none.
-    drag : the boundary that is being dragged.
     """
 
-    def __init__(self, theme: Theme, outline: Callable[[TimeAxis], Peaks | None] | None = None) -> None:
+    def __init__(self, theme: Theme) -> None:
         super().__init__()
         self._theme = theme
-        self._outline = outline
         self.lanes: tuple[Lane, ...] = ()
         self.chapters: tuple[Chapter, ...] = ()
         self.duration = 0.0
         self.first = 0.0
         self.scale = 1.0
-        self.playhead: float | None = None
-        self.drag = BoundaryDrag()
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
     def show_lanes(self, lanes: Sequence[Lane], duration: float, chapters: Sequence[Chapter] = ()) -> None:
         """Show these lanes, from above, of a sound of a given length."""
         self.lanes, self.duration, self.chapters = tuple(lanes), duration, tuple(chapters)
-        self.setMinimumSize(200, round(self._bottom) + (4 + GAP if self._outline is None else TIME_HEIGHT))
+        self.setMinimumSize(200, round(self._bottom) + 4 + GAP)
         self.update()
 
     @property
@@ -111,7 +87,6 @@ class Timeline(QWidget):
 
     @override
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Paint the lanes, the names of the chapters, and where one begins; the playhead above all."""
         painter, theme, axis = QPainter(self), self._theme, self.axis
         painter.fillRect(self.rect(), QColor(theme.base))
         if not self.duration:
@@ -119,26 +94,14 @@ class Timeline(QWidget):
         for row, lane in self.rows():
             paint_name(painter, row, lane.name, theme)
             paint_lane(painter, row, lane, axis, theme)
-        if self._outline is not None:
-            peaks = self._outline(axis)
-            if peaks is not None:
-                paint_wave(painter, self._row(len(self.lanes), WAVE_HEIGHT), peaks, theme)
-            paint_times(painter, self._bottom, axis, theme, self.width())
         self._paint_chapters(painter)
-        if self.playhead is not None:
-            self._paint_time(painter, self.playhead, QRectF(0, 0, 1, self._bottom), theme.accent)
-        if self.drag.held is not None:
-            row = self._row(self.drag.held.lane)
-            self._paint_time(
-                painter, self.drag.held.seconds, QRectF(0, row.top() - 2, 2, row.height() + 4), theme.text
-            )
 
     @property
     def _bottom(self) -> float:
-        return self._row(len(self.lanes), 0 if self._outline is None else WAVE_HEIGHT + GAP).bottom() - GAP
+        return HEADING + len(self.lanes) * (HEIGHT + GAP) - GAP
 
-    def _row(self, number: int, height: float = HEIGHT) -> QRectF:
-        return QRectF(LEFT, HEADING + number * (HEIGHT + GAP), max(1, self.width() - LEFT), height)
+    def _row(self, number: int) -> QRectF:
+        return QRectF(LEFT, HEADING + number * (HEIGHT + GAP), max(1, self.width() - LEFT), HEIGHT)
 
     def _paint_chapters(self, painter: QPainter) -> None:
         borders = [*(chapter.start for chapter in self.chapters), self.duration]
@@ -146,16 +109,12 @@ class Timeline(QWidget):
             x, end = self.x_of(start), self.x_of(after)
             if end < LEFT or x > self.width():
                 continue
-            self._paint_time(painter, start, QRectF(0, 0, 1, self._bottom), self._theme.text)
+            if x >= LEFT:
+                painter.fillRect(QRectF(x, 0, 1, self._bottom), QColor(self._theme.text))
             room = min(end, self.width()) - max(x, LEFT) - 6
             if room > 24:
                 text = painter.fontMetrics().elidedText(chapter.name, Qt.TextElideMode.ElideMiddle, int(room))
                 draw_text(painter, QRectF(max(x, LEFT) + 4, 0, room, HEADING), text, self._theme.faint, SIZE)
-
-    def _paint_time(self, painter: QPainter, seconds: float, line: QRectF, colour: str) -> None:
-        x = self.x_of(seconds)
-        if x >= LEFT:
-            painter.fillRect(line.translated(x, 0), QColor(colour))
 
 
 class TimelineView(QWidget):
@@ -163,15 +122,10 @@ class TimelineView(QWidget):
 
     Signals
     -------
-    span_clicked, span_double_clicked : number of the lane, and of the span in it.
-    boundary_moved : number of the lane, of the boundary (2 k: the start of span k, 2 k + 1: its end), and the time to
-        which it was dragged, seconds. Where two spans touch, it is the start of the second one. The lanes stay as
-        they are until others are shown.
+    span_clicked : number of the lane, and of the span in it.
     """
 
     span_clicked = Signal(int, int)
-    span_double_clicked = Signal(int, int)
-    boundary_moved = Signal(int, int, float)
 
     def __init__(self, lanes: Timeline) -> None:
         super().__init__()
@@ -185,25 +139,14 @@ class TimelineView(QWidget):
         self.bar.hide()
         column(self.lanes, self.bar, on=self, spacing=0)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.setMouseTracking(True)
-        lanes.setMouseTracking(True)
         self.bar.valueChanged.connect(self._scroll)
 
     def show_lanes(self, lanes: Sequence[Lane], duration: float, chapters: Sequence[Chapter] = ()) -> None:
         """Show these lanes of a sound of a given length; of another length, from its beginning."""
         fresh = duration != self.lanes.duration
-        self.lanes.drag.release()
         self.lanes.show_lanes(lanes, duration, chapters)
         if fresh:
             self._fit()
-
-    def show_playhead(self, seconds: float | None) -> None:
-        """Show which time is playing, and scroll there where it is not seen."""
-        lanes = self.lanes
-        lanes.playhead = seconds
-        if seconds is not None and not LEFT <= lanes.x_of(seconds) < lanes.width():
-            self.bar.setValue(int(seconds / FRAME_PERIOD))
-        lanes.update()
 
     def show_time(self, seconds: float) -> None:
         """Scroll to a time, so near that its spans are distinguishable."""
@@ -212,71 +155,34 @@ class TimelineView(QWidget):
         self.bar.setValue(round(seconds / FRAME_PERIOD - self.lanes.n_seen / 2))
 
     def show_whole(self) -> None:
-        """Zoom out, or in, to all there is."""
-        self.fill(self.lanes.duration)
-
-    def fill(self, seconds: float) -> None:
-        """Have a number of seconds fill the width from now on, until the user zooms."""
-        self._filling = max(seconds, FRAME_PERIOD)
+        """Zoom out, or in, to all there is, in any width until the user zooms."""
+        self._filling = max(self.lanes.duration, FRAME_PERIOD)
         self._fit()
 
     @override
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take a boundary in the hand, else what is seen, to scroll it."""
-        if event.button() != Qt.MouseButton.LeftButton or event.position().x() < LEFT - GRAB:
-            return
-        lanes = self.lanes
-        if lanes.drag.press(lanes.rows(), lanes.axis, event.position(), lanes.duration) is None:
+        if event.button() == Qt.MouseButton.LeftButton and event.position().x() >= LEFT:
             self._pressed = event.position(), self.bar.value()
 
     @override
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        if event.button() == Qt.MouseButton.LeftButton:
-            for number, span in self._spans_at(event.position()):
-                self.span_double_clicked.emit(number, span)
-
-    @override
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Drag the boundary or the lanes along; show which boundaries can be."""
-        lanes, place = self.lanes, event.position()
-        if lanes.drag.move(lanes.axis.time_at(place.x())) is not None:
-            lanes.update()
-        elif self._pressed is not None:
-            moved = place.x() - self._pressed[0].x()
+        if self._pressed is not None:
+            moved = event.position().x() - self._pressed[0].x()
             if abs(moved) > CLICK:
-                self.bar.setValue(round(self._pressed[1] - moved / lanes.scale))
-        else:
-            over = lanes.drag.boundary_at(lanes.rows(), lanes.axis, place)
-            self.setCursor(Qt.CursorShape.ArrowCursor if over is None else Qt.CursorShape.SplitHCursor)
+                self.bar.setValue(round(self._pressed[1] - moved / self.lanes.scale))
 
     @override
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """Let the boundary go; it has moved, unless it is where it was. Else choose the span that was clicked."""
+        """Choose the span that was clicked."""
         if event.button() != Qt.MouseButton.LeftButton:
             return
-        moved, pressed, self._pressed = self.lanes.drag.release(), self._pressed, None
-        self.lanes.update()
-        if moved is not None:
-            self.boundary_moved.emit(*moved)
-        elif pressed is not None and abs(event.position().x() - pressed[0].x()) <= CLICK:
-            for number, span in self._spans_at(event.position()):
-                self.span_clicked.emit(number, span)
-
-    @override
-    def event(self, event: QEvent) -> bool:
-        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            tip = next(
-                (
-                    self.lanes.lanes[n].tips[k]
-                    for n, k in self._spans_at(QPointF(event.pos()))
-                    if self.lanes.lanes[n].tips
-                ),
-                "",
-            )
-            if tip:
-                QToolTip.showText(event.globalPos(), tip, self)
-                return True
-        return super().event(event)
+        pressed, self._pressed = self._pressed, None
+        number = self.lanes.lane_at(event.position().y())
+        if number is None or pressed is None or abs(event.position().x() - pressed[0].x()) > CLICK:
+            return
+        span = self.lanes.lanes[number].span_at(self.lanes.axis.time_at(event.position().x()))
+        if span is not None:
+            self.span_clicked.emit(number, span)
 
     @override
     def wheelEvent(self, event: QWheelEvent) -> None:
@@ -296,18 +202,6 @@ class TimelineView(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._fit()
-
-    @override
-    def leaveEvent(self, _event: QEvent) -> None:
-        self.unsetCursor()
-
-    def _spans_at(self, place: QPointF) -> list[tuple[int, int]]:
-        """Return lane and number of the span at a pixel, if there is one."""
-        number = self.lanes.lane_at(place.y())
-        if number is None or place.x() < LEFT:
-            return []
-        span = self.lanes.lanes[number].span_at(self.lanes.axis.time_at(place.x()))
-        return [] if span is None else [(number, span)]
 
     def _fit(self) -> None:
         lanes = self.lanes

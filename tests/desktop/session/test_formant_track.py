@@ -45,14 +45,10 @@ def test_what_is_beside_is_measured_ahead_and_further_on_when_it_is_seen(track, 
     assert track.formants_in(TimeSpan(3.0, 4.0)).first > known.first
 
 
-def test_another_ceiling_and_another_file_begin_anew(track, qtbot):
+def test_another_file_begins_anew(track, qtbot):
     with qtbot.waitSignal(track.changed):
         track.formants_in(TimeSpan(1.0, 2.0))
-    before = track.formants_in(TimeSpan(1.0, 2.0))
-    track.set_ceiling(4000.0)
-    with qtbot.waitSignal(track.changed):
-        assert track.formants_in(TimeSpan(1.0, 2.0)) is None
-    assert not np.array_equal(track.formants_in(TimeSpan(1.0, 2.0)).frequencies, before.frequencies, equal_nan=True)
+    assert track.formants_in(TimeSpan(1.0, 2.0)) is not None
     track.leave()
     assert track.formants_in(TimeSpan(1.0, 2.0)) is None
 

@@ -9,9 +9,7 @@ from phonemeengine.labels.utterance_edits import (
     renamed_phone,
     split_phone,
     split_word,
-    spread_word,
     with_inserted,
-    with_word,
     without_phone,
     without_word,
 )
@@ -32,23 +30,15 @@ def spelt(utterance: Utterance) -> list[tuple[str, str]]:
     return [(word.text, "".join(phone.ipa for phone in word.phones)) for word in utterance.words]
 
 
-def test_a_word_that_is_spread_has_phones_of_one_length_and_no_scores() -> None:
-    word = spread_word("new", [(("n", "j"), 0, ""), (("u",), 1, "")], 0.3, 0.6)
-    assert [round(phone.end - phone.start, 6) for phone in word.phones] == [0.1, 0.1, 0.1]
-    assert word.score is None
-    assert word.phones[-1].phoneme is Phoneme.U
-    assert spelt(with_word(SAID, 0, word))[0] == ("new", "nju")
-
-
 def test_a_word_is_inserted_where_nothing_is_said_and_nowhere_else() -> None:
     assert gap_at(SAID, 0.5) == pytest.approx((0.4, 0.6))
     assert gap_at(SAID, 0.1) == pytest.approx((0.0, 0.2))
     assert gap_at(SAID, 0.95) == pytest.approx((0.9, 1.0))
     assert gap_at(SAID, 0.3) == (0.3, 0.3)
-    between = spread_word("a", [(("a",), 0, "")], 0.45, 0.55)
+    between = said("a", 0.45, "a")
     assert [word for word, _ in spelt(with_inserted(SAID, between))] == ["so", "a", "mat"]
     with pytest.raises(CorpusError, match=r"'so' is said from 0\.200 to 0\.400 s; delete it first"):
-        with_inserted(SAID, spread_word("a", [(("a",), 0, "")], 0.3, 0.5))
+        with_inserted(SAID, said("a", 0.35, "a"))
 
 
 def test_a_word_is_deleted() -> None:

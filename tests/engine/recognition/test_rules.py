@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from phonemeengine.errors import PresetError, SettingsError
 from phonemeengine.features.measure import Features
-from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
+from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import ThesisRules
 from phonemeengine.recognition.spec import RecogniserConfig, recogniser_of
@@ -198,9 +198,3 @@ def test_a_threshold_that_float32_cannot_hold_is_refused(value: float):
 def test_an_unknown_recogniser_is_refused_with_the_known_ones():
     with pytest.raises(PresetError, match=r"no recogniser named 'magic'; known are .*thesis"):
         recogniser_of("magic", RecogniserConfig(ROUND))
-
-
-def test_every_phoneme_has_one_of_five_mouth_shapes():
-    assert set(MOUTH_SHAPES) == set(Phoneme)
-    assert set(MOUTH_SHAPES.values()) == set(MouthShape)
-    assert {p.label for p, s in MOUTH_SHAPES.items() if s is MouthShape.CLOSED} == {"m", "p", "silence"}
