@@ -34,6 +34,19 @@ OLD_OPTIONS = {
     "--live-model": "--model",
     "--held-back": "--held-out",
     "--room": "--background-noise",
+    "--most-streams": "--max-streams",
+    "--most-connections": "--max-connections",
+    "--most-per-address": "--max-per-address",
+    "--most-speed": "--max-speed",
+    "--idle": "--idle-timeout",
+    "--largest-message": "--max-message",
+    "--most-text": "--max-text",
+    "--largest-own": "--max-own",
+    "--largest-file": "--max-file",
+    "--longest-file": "--max-duration",
+    "--file-memory": "--max-memory",
+    "--most-files": "--max-files",
+    "--file-seconds": "--file-timeout",
 }
 """Options of the release before, which this one still accepts, and what they are called now."""
 MOST_JOBS = 1024

@@ -53,5 +53,5 @@ def _formats() -> str:
     lines = ["formats:"]
     for name, form in FORMATS.items():
         rate = f"{form.rate:g} fps, " if form.rate else ""
-        lines.append(f"  {name:<13} {form.words} ({rate}ahead {form.anticipation:g} s, table {form.table})")
+        lines.append(f"  {name:<13} {form.words} ({rate}anticipation {form.anticipation:g} s, table {form.table})")
     return "\n".join(lines)

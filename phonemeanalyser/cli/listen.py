@@ -74,9 +74,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     model = "model that recognises; real-time is the small network alone (default: the preset's)"
     parser.add_argument("--model", type=ModelKind, choices=LIVE_KINDS, metavar="|".join(LIVE_KINDS), help=model)
     parser.add_argument("--format", choices=["text", "json"], default="text", dest="kind", help="(default: text)")
-    parser.add_argument("--list-devices", action="store_true", help="print the microphones and end")
+    parser.add_argument("--list-devices", action="store_true", help="print the microphones and exit")
     parser.add_argument("--osc", metavar="HOST:PORT", help="send phonemes and mouth shapes as OSC and VMC messages")
-    table = f"mouth table of --osc: vrm, oculus, ... or a file (default: {USUAL_TABLE})"
+    table = f"mouth table for --osc: vrm, oculus, ... or a file (default: {USUAL_TABLE})"
     parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=table)
     add_options(parser, "decoder", "style", "expression", "feeling", "priority", "face-network")
     received = "receive expressions of other programs here (/expression NAME V, or VMC blend shapes)"
@@ -138,7 +138,9 @@ def add_input(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--device", default="", metavar="NAME", help="microphone, by its name or a part of it")
     add_options(parser, "preset", "channel", channel=Channel.LEFT)
     rate = whole_in(LOWEST_RATE, HIGHEST_RATE, "Hz")
-    parser.add_argument("--rate", type=rate, default=0, metavar="HZ", help="sample rate (default: 44100 if it can)")
+    parser.add_argument(
+        "--rate", type=rate, default=0, metavar="HZ", help="sample rate (default: 44100 if supported)"
+    )
     parser.add_argument("--seconds", type=number_in(0, math.inf, "s"), metavar="S", help="stop after S seconds")
 
 

@@ -12,29 +12,30 @@ from phonemeanalyser.cli.extras import module_that_draws
 from phonemeanalyser.logs import logged_to
 from phonemeengine import EngineError
 from phonemeengine.errors import OptionError, meant_by
+from phonemeengine.storage.files import printable, reason_of
 
 COMMANDS = {
     "adapt": "Calibrate a preset to takes or recordings of one voice, or to the background noise alone.",
     "align": "Align audio files with a script, and find the best take of each line.",
-    "analyse": "Write the phonemes of audio files as tables or labels.",
+    "analyse": "Recognise the phonemes of audio files, and write tables or labels.",
     "explain": "Print the rules of a preset, and why a phoneme was recognised at a time.",
-    "export": "Write audio files as mouth cues or facial animation for other programs.",
+    "export": "Convert audio files to mouth cues or facial animation for other programs.",
     "listen": "Recognise phonemes from a microphone, and print a line at each change, until Ctrl-C.",
     "measure": "Measure a part of an audio file: level, pitch, formants, variables and shares of phonemes.",
     "movestates": "Make, inspect and convert files of movestates (blend shapes).",
     "performance": "Make and inspect tables of recorded faces, and make synthetic recordings.",
     "preview": "Render a video of a head that speaks an audio file.",
     "record": "Record a microphone to a file, until Ctrl-C.",
-    "rules": "Find a few rules in labelled recordings, and write them as a preset.",
-    "score": "Measure how right one or two presets are on labelled recordings.",
+    "rules": "Learn a few rules from labelled recordings, and write them as a preset.",
+    "score": "Measure the accuracy of one or two presets on labelled recordings.",
     "screenshot": "Take a picture of the window, without a display.",
     "serve": "Recognise streams and audio files for other programs, over WebSocket and HTTP, until Ctrl-C.",
     "ship": "Write a preset and the runtime that recognises with it, for programs without Python.",
-    "speak": "Speak a text, aloud or into audio, labels and facial animation.",
+    "speak": "Speak a text aloud, or write it as audio, labels and facial animation.",
     "spectra": "Average the spectra of speakers or phonemes in labelled recordings, and compare them.",
-    "takes": "List a folder of takes, and remove deleted takes for ever.",
+    "takes": "List the takes in a folder, and remove deleted takes permanently.",
     "train": "Train the learned recogniser on folders of labelled speech.",
-    "whisper": "Show, choose or download the Whisper model, the most exact model for files.",
+    "whisper": "Show, choose or download the Whisper model, the most accurate model for files.",
 }
 """Every command, each a module of this package with `add_arguments` and `run`, and what it does."""
 _TABLES, _TABLE = "--performance", ".sqlite"
@@ -68,6 +69,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # the pipe is closed: nothing to flush to
         return 0
+    except OSError as error:  # a name that the system cannot ask for, a folder that goes meanwhile, a disk that fails
+        where = f"{printable(str(error.filename))}: " if error.filename else ""
+        print(
+            f"phonemeanalyser: {where:.300}{reason_of(error)}; check the name, its folder and the disk",
+            file=sys.stderr,
+        )
+        return 1
 
 
 def _with_each_table(words: Sequence[str]) -> list[str]:

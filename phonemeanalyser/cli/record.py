@@ -19,7 +19,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_input(parser)
     parser.add_argument("--phonemes", action="store_true", help="write the phonemes too, as OUT.csv")
     parser.add_argument(
-        "--fill-gaps", action="store_true", help="write silence while the microphone is away, besides the mark"
+        "--fill-gaps",
+        action="store_true",
+        help="write silence while the microphone is disconnected; gaps are marked anyway",
     )
 
 

@@ -38,13 +38,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=whole_in(1, 500),
         default=MOST_CONDITIONS_IN_ALL,
         metavar="N",
-        help=f"most conditions of all rules together (default: {MOST_CONDITIONS_IN_ALL})",
+        help=f"maximum number of conditions in all rules (default: {MOST_CONDITIONS_IN_ALL})",
     )
     parser.add_argument(
         "--variables",
         choices=["bands", "preset"],
         default="bands",
-        help="what rules may ask for: frequency bands, with filters that suit them, or the preset's variables "
+        help="what rules may compare: frequency bands, with filters that suit them, or the preset's variables "
         "(default: bands)",
     )
     add_options(parser, "preset", "channel", "overwrite")

@@ -91,7 +91,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--snr", type=snr, metavar="DB", help="signal-to-noise ratio")
     parser.add_argument("--seed", type=whole_in(0), default=0, metavar="N", help="seed of the noise (default: 0)")
     add_batch(parser)
-    keep = "keep recognised phonemes here, to go on later without repeating work"
+    keep = "keep recognised phonemes here, so that an interrupted run can continue"
     parser.add_argument("--keep", type=Path, metavar="FOLDER", help=keep)
 
 

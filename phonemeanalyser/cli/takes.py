@@ -20,10 +20,8 @@ EXAMPLES = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say which folder, and whether it is cleared up."""
     parser.add_argument("folder", type=Path, metavar="FOLDER", help="folder of takes, as the window makes it")
-    parser.add_argument(
-        "--empty-deleted", action="store_true", help="remove deleted takes for ever, after a question"
-    )
-    parser.add_argument("--yes", action="store_true", help="remove without the question")
+    parser.add_argument("--empty-deleted", action="store_true", help="remove deleted takes permanently, after asking")
+    parser.add_argument("--yes", action="store_true", help="do not ask")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -42,7 +40,7 @@ def run(options: argparse.Namespace) -> int:
 
 def empty_deleted(project: TakeProject, *, asks: bool, ask: Callable[[str], str] = input) -> int:
     """Remove the deleted takes for ever, once the user agrees where it asks; returns the exit status."""
-    if asks and ask("Remove the deleted takes for ever? [y/N] ").strip().lower() not in {"y", "yes"}:
+    if asks and ask("Remove the deleted takes permanently? [y/N] ").strip().lower() not in {"y", "yes"}:
         return 1
     print(f"{project.empty_deleted()} deleted takes are removed")
     return 0

@@ -17,7 +17,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say where the model comes from."""
     parser.epilog = (
         "Whisper base together with the offline model recognises files best. Its library comes with "
-        'pip install "phonemeanalyser[whisper]". The model is searched in the folder that '
+        'pip install "phonemeanalyser[whisper]". The model is searched for in the folder that '
         f"{FOLDER_VARIABLE} names, in that of --folder, in that of --fetch, and in the packages "
         f"{' and '.join(name.replace('_', '-') for name in PACKAGES)}. Without options, print the one in use."
     )

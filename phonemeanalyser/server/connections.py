@@ -45,13 +45,13 @@ class Connections:
     def __call__(self) -> asyncio.Protocol:
         """Return the protocol of a new connection."""
         n = len(self._server.connections) + len(self._arriving)
-        if n >= self._limits.most_connections and not self._make_room():
+        if n >= self._limits.max_connections and not self._make_room():
             return _Full()
         loop = asyncio.get_running_loop()
         handler = _Handler(self, self._server, loop=loop, lingering_time=CLOSING)
         self._arriving.add(handler)
         loop.call_soon(self._arriving.discard, handler)  # by then the server counts it
-        self._silent[handler] = loop.call_later(min(ARRIVING, self._limits.idle), self._let_go, handler)
+        self._silent[handler] = loop.call_later(min(ARRIVING, self._limits.idle_timeout), self._let_go, handler)
         return handler
 
     def enter(self, request: web.BaseRequest) -> None:
@@ -72,7 +72,7 @@ class Connections:
         ------
         RefusedError : it has as many as one may have.
         """
-        if self._n_of[client] >= self._limits.most_per_address:
+        if self._n_of[client] >= self._limits.max_per_address:
             raise RefusedError(
                 f"your address has {self._n_of[client]} connections, as many as one may have; close one first", 429
             )

@@ -184,7 +184,7 @@ class FileExporter:
 
     def __init__(self, repertoire: Repertoire, limits: ServerLimits) -> None:
         self._repertoire, self._limits = repertoire, limits
-        self._turns = FileTurns(limits.most_files)
+        self._turns = FileTurns(limits.max_files)
 
     @property
     def n_files(self) -> int:
@@ -199,17 +199,17 @@ class FileExporter:
         RefusedError : it asks for something impossible, or takes too long.
         """
         try:
-            async with asyncio.timeout(self._limits.file_seconds):
+            async with asyncio.timeout(self._limits.file_timeout):
                 with tempfile.TemporaryDirectory(prefix="phonemeanalyser-") as folder:
                     asked = await self._received(request, Path(folder))
                     options = await asyncio.to_thread(asked.options, self._repertoire)
-                    options = replace(options, longest=self._limits.longest_file)
+                    options = replace(options, longest=self._limits.max_duration)
                     assert options.format is not None
                     work = partial(ConversionWork.of, options, options.format, sounds=[asked.sound])
                     out = Path(folder) / f"mouth{FORMATS[options.format].ending}"
                     order = pickle.dumps((options.preset, work, Job(asked.sound, out)))
                     async with self._turns.turn(address) as turn:
-                        await _make(order, turn, self._limits.file_memory)
+                        await _make(order, turn, self._limits.max_memory)
                     return await _sent(request, out)
         except RefusedError:
             raise
@@ -217,7 +217,7 @@ class FileExporter:
             raise RefusedError(str(error)) from error
         except TimeoutError:
             raise RefusedError(
-                f"the file took longer than {self._limits.file_seconds:g} s; send a shorter one, or try later", 503
+                f"the file took longer than {self._limits.file_timeout:g} s; send a shorter one, or try later", 503
             ) from None
 
     async def _received(self, request: web.Request, folder: Path) -> FileRequest:
@@ -240,26 +240,28 @@ class FileExporter:
     async def _in_time(self, coming: Awaitable[_T]) -> _T:
         """Return the next of what the client sends, unless it sends nothing for too long."""
         try:
-            async with asyncio.timeout(self._limits.idle):
+            async with asyncio.timeout(self._limits.idle_timeout):
                 return await coming
         except TimeoutError:
-            raise RefusedError(f"nothing came for {self._limits.idle:g} s; send the form at once", 408) from None
+            raise RefusedError(
+                f"nothing came for {self._limits.idle_timeout:g} s; send the form at once", 408
+            ) from None
 
     async def _keep(self, part: BodyPartReader, path: Path) -> None:
         n = 0
         with path.open("wb") as file:
             while chunk := await self._in_time(part.read_chunk(CHUNK)):
                 n += len(chunk)
-                if n > self._limits.largest_file * MEGABYTE:
-                    raise RefusedError(f"a file may have {self._limits.largest_file:g} MB; send a shorter one", 413)
+                if n > self._limits.max_file * MEGABYTE:
+                    raise RefusedError(f"a file may have {self._limits.max_file:g} MB; send a shorter one", 413)
                 file.write(chunk)
 
     async def _text_of(self, part: BodyPartReader) -> str:
         several = part.name in OPTIONS and OPTIONS[part.name].several
         most = LONGEST_PART if several else LONGEST_FIELD
         if part.name in ("text", *OWN):
-            own = max(LONGEST_FIELD, int(self._limits.largest_own * KILOBYTE))
-            most = self._limits.most_text if part.name == "text" else own
+            own = max(LONGEST_FIELD, int(self._limits.max_own * KILOBYTE))
+            most = self._limits.max_text if part.name == "text" else own
         too_long = RefusedError(f"the field {part.name} may have {most} characters; send fewer", 413)
         content = bytearray()
         while chunk := await self._in_time(part.read_chunk(CHUNK)):

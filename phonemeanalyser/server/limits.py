@@ -32,19 +32,19 @@ AHEAD = 5.0
 """Seconds of sound that a stream may be ahead of its clock before it is slowed down."""
 
 LIMITS: dict[str, tuple[float, float, str, str]] = {
-    "most_streams": (1, 10_000, "", "streams at a time"),
-    "most_connections": (1, 20_000, "", "connections at a time, streams and files together"),
-    "most_per_address": (1, 20_000, "", "connections at a time that one address may have"),
-    "most_speed": (1, 1000, "", "times as fast as it is spoken that a stream is read"),
-    "idle": (1, 86_400, "s", "how long a client may send nothing, or take nothing, before it is let go"),
-    "largest_message": (0.001, 1024, "MB", "size of a message of a stream"),
-    "most_text": (0, 10_000_000, "", "characters of the text of a stream, or a file"),
-    "largest_own": (0, 1000, "KB", "size of a preset or mouth table that a client sends; 0 allows none"),
-    "largest_file": (0.001, 100_000, "MB", "size of a sound file"),
-    "longest_file": (1, 1_000_000, "s", "length of the sound in a file"),
-    "file_memory": (128, 1_000_000, "MB", "memory that the export of a file may take (Linux only)"),
-    "most_files": (1, 1000, "", "files that are exported at a time, besides those that take long; others wait"),
-    "file_seconds": (1, 86_400, "s", "how long a file may take, from its first byte on"),
+    "max_streams": (1, 10_000, "", "streams at a time"),
+    "max_connections": (1, 20_000, "", "connections at a time, streams and files together"),
+    "max_per_address": (1, 20_000, "", "connections at a time that one address may have"),
+    "max_speed": (1, 1000, "", "speed at which a stream is read, as a multiple of real time"),
+    "idle_timeout": (1, 86_400, "s", "time after which a client that sends or takes nothing is disconnected"),
+    "max_message": (0.001, 1024, "MB", "size of a message of a stream"),
+    "max_text": (0, 10_000_000, "", "characters in the text of a stream or a file"),
+    "max_own": (0, 1000, "KB", "size of a preset or mouth table that a client sends; 0 allows none"),
+    "max_file": (0.001, 100_000, "MB", "size of an audio file"),
+    "max_duration": (1, 1_000_000, "s", "length of the audio in a file"),
+    "max_memory": (128, 1_000_000, "MB", "memory that the export of a file may use (Linux only)"),
+    "max_files": (1, 1000, "", "files that are exported at a time, not counting those that take long; others wait"),
+    "file_timeout": (1, 86_400, "s", "time that a file may take, from its first byte on"),
 }
 """Least, most, unit, and what each is."""
 
@@ -58,19 +58,19 @@ class ServerLimits:
     SettingsError : one lies outside its range.
     """
 
-    most_streams: int = 64
-    most_connections: int = 128
-    most_per_address: int = 64
-    most_speed: float = 4.0
-    idle: float = 30.0
-    largest_message: float = 1.0
-    most_text: int = 100_000
-    largest_own: float = 32.0
-    largest_file: float = 64.0
-    longest_file: float = 1800.0
-    file_memory: float = 1024.0
-    most_files: int = 1
-    file_seconds: float = 300.0
+    max_streams: int = 64
+    max_connections: int = 128
+    max_per_address: int = 64
+    max_speed: float = 4.0
+    idle_timeout: float = 30.0
+    max_message: float = 1.0
+    max_text: int = 100_000
+    max_own: float = 32.0
+    max_file: float = 64.0
+    max_duration: float = 1800.0
+    max_memory: float = 1024.0
+    max_files: int = 1
+    file_timeout: float = 300.0
 
     def __post_init__(self) -> None:
         for name, (low, high, unit, words) in LIMITS.items():

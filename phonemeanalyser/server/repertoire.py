@@ -99,10 +99,8 @@ class Repertoire:
         """Return whether a text is that of a file; refuse one that is too long, and a name that is not known."""
         words = {"preset": "preset", "table": "mouth table"}[key]
         if "\n" in told:
-            if len(told.encode(errors="replace")) > self.limits.largest_own * KILOBYTE:
-                raise RefusedError(
-                    f"a {words} of your own may have {self.limits.largest_own:g} KB; send a shorter one"
-                )
+            if len(told.encode(errors="replace")) > self.limits.max_own * KILOBYTE:
+                raise RefusedError(f"a {words} of your own may have {self.limits.max_own:g} KB; send a shorter one")
             return True
         if told and told not in known:
             choice = f"choose one of {', '.join(known)}, or send the text of a file"

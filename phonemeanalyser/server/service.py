@@ -203,7 +203,7 @@ class Service:
             "formats": [*FORMATS],
             "tables": [*self._repertoire.tables],
             "streams": self._n_streams,
-            "most_streams": self._limits.most_streams,
+            "most_streams": self._limits.max_streams,
             "files": self._exporter.n_files,
         }
         return web.json_response(told)
@@ -217,14 +217,14 @@ class Service:
 
     async def stream(self, request: web.Request) -> web.StreamResponse:
         """Recognise a stream."""
-        if self._n_streams >= self._limits.most_streams:
+        if self._n_streams >= self._limits.max_streams:
             raise RefusedError(f"there are {self._n_streams} streams, as many as this server takes; try later", 503)
         stream = _StreamSocket(
             timeout=CLOSING,
             protocols=[PROTOCOL],
             compress=False,
             writer_limit=WRITER_LIMIT,
-            max_msg_size=int(self._limits.largest_message * MEGABYTE),
+            max_msg_size=int(self._limits.max_message * MEGABYTE),
         )
         if not stream.can_prepare(request):
             raise RefusedError(f"{STREAM} is a WebSocket; open it as one", 426)

@@ -96,7 +96,7 @@ class StreamSession:
     ) -> None:
         self._socket, self._repertoire, self._limits, self._turns = socket, repertoire, limits, turns
         self._words_of_text = words_of_text
-        self._pace = Pace(limits.most_speed, AHEAD)
+        self._pace = Pace(limits.max_speed, AHEAD)
         self._language, self._n_text = "", 0
         self.refused = ""
         self._waiting: deque[Float32Array] = deque()
@@ -108,7 +108,7 @@ class StreamSession:
     async def run(self) -> None:
         """Speak with the client until the sound has ended, the client has gone, or something is refused."""
         try:
-            async with asyncio.timeout(self._limits.idle):
+            async with asyncio.timeout(self._limits.idle_timeout):
                 await self._begin()
             self._turns.join(self)
             await self._converse()
@@ -198,7 +198,7 @@ class StreamSession:
         try:
             while not sending.done() and not (receiving.done() and receiving.exception()):
                 under_way = [task for task in (receiving, sending) if not task.done()]
-                looks = self._limits.idle / LOOKS
+                looks = self._limits.idle_timeout / LOOKS
                 await asyncio.wait(under_way, timeout=looks, return_when=asyncio.FIRST_EXCEPTION)
                 self._check_patience()
         finally:
@@ -265,9 +265,9 @@ class StreamSession:
         if not self._language:
             raise RefusedError("the text has no language; name it in the first message, such as en-us or de")
         self._n_text += len(text)
-        if self._n_text > self._limits.most_text:
+        if self._n_text > self._limits.max_text:
             raise RefusedError(
-                f"a stream may have a text of {self._limits.most_text} characters; begin another stream"
+                f"a stream may have a text of {self._limits.max_text} characters; begin another stream"
             )
         self.speech.add_words(await self._words_of_text(text, self._language))
 
@@ -291,7 +291,7 @@ class StreamSession:
 
     def _check_patience(self) -> None:
         """Give up a client that sends nothing, or takes nothing; a watch for each message would cost far more."""
-        now, idle = time.monotonic(), self._limits.idle
+        now, idle = time.monotonic(), self._limits.idle_timeout
         if now - self._sends_since > idle:
             raise GoneError
         if now - self._receives_since > idle:
@@ -299,12 +299,12 @@ class StreamSession:
 
     def _nothing_came(self) -> RefusedError:
         words = "say when the sound has ended, or send silence"
-        return RefusedError(f"nothing came for {self._limits.idle:g} s; {words}")
+        return RefusedError(f"nothing came for {self._limits.idle_timeout:g} s; {words}")
 
     async def _refuse(self, error: EngineError) -> None:
         self.refused = str(error)
         with suppress(GoneError, TimeoutError):
-            async with asyncio.timeout(self._limits.idle):
+            async with asyncio.timeout(self._limits.idle_timeout):
                 await self._send(messages.error(str(error)))
             reason = str(error).encode()[:LONGEST_REASON].decode(errors="ignore")
             await self._socket.close(code=REFUSED, message=reason.encode())

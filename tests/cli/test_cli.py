@@ -1,5 +1,6 @@
 """The command line as a program: its words, its exit codes, and what it says without a display."""
 
+import contextlib
 import importlib
 import os
 import re
@@ -268,3 +269,13 @@ def test_the_version_is_that_of_the_package(capsys: pytest.CaptureFixture[str]) 
         main(["--version"])
     assert end.value.code == 0
     assert capsys.readouterr().out == f"phonemeanalyser {version('phonemeanalyser')}\n"
+
+
+def test_a_name_that_the_system_refuses_and_a_closed_output_are_one_sentence(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    said = refused(capsys, "takes", "x" * 5000)
+    assert said.endswith("; check the name, its folder and the disk")
+    assert len(said) < 400
+    with contextlib.redirect_stdout(None):
+        assert refused(capsys, "explain", "--preset", "thesis") == "standard output is closed; name a file with -o"

@@ -218,7 +218,7 @@ def test_help_names_every_format_and_what_reads_it(capsys: pytest.CaptureFixture
     assert end.value.code == 0
     said = capsys.readouterr().out
     assert all(f"  {name}" in said for name in FORMATS)
-    assert "Papagayo-NG (24 fps, ahead 0.04 s, table preston-blair)" in said
+    assert "Papagayo-NG (24 fps, anticipation 0.04 s, table preston-blair)" in said
 
 
 @pytest.mark.parametrize(

@@ -24,7 +24,7 @@ def test_it_serves_until_it_is_ended(ending: signal.Signals) -> None:
         "0",
         "--preset",
         "thesis",
-        "--most-streams",
+        "--max-streams",
         "3",
     ]
     with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
@@ -62,7 +62,7 @@ def test_what_cannot_be_served_is_said(
 
 
 @pytest.mark.parametrize(
-    "words", [["--port", "70000"], ["--most-streams", "0"], ["--idle", "0"], ["--most-speed", "x"]]
+    "words", [["--port", "70000"], ["--max-streams", "0"], ["--idle-timeout", "0"], ["--max-speed", "x"]]
 )
 def test_limits_that_are_none_are_refused(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as ended:

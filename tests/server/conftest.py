@@ -17,7 +17,7 @@ from tests.sounds import Sound
 
 RECORDING = CORPUS / "espeak_de" / "de" / "de_00.flac"
 TEXT = "Meine Mama mag Musik, und mein Papa backt am Samstag Pizza."
-FAST = ServerLimits(most_speed=1000)
+FAST = ServerLimits(max_speed=1000)
 """Tests do not wait for a sound to be over."""
 REPERTOIRE = Repertoire.of_files([DEFAULT_PRESET], [], FAST)
 """What a server offers that is told no more."""

@@ -112,7 +112,7 @@ def test_what_is_no_sound_is_answered_by_a_sentence(server: str, sound: bytes | 
 
 
 def test_a_file_that_is_too_large_is_not_taken() -> None:
-    with served(ServerSettings(port=0, limits=ServerLimits(largest_file=0.01))) as address:
+    with served(ServerSettings(port=0, limits=ServerLimits(max_file=0.01))) as address:
         assert told(exported(address, format="gltf")) == (413, "a file may have 0.01 MB; send a shorter one")
 
 
@@ -124,7 +124,7 @@ def silent_flac(seconds: float, rate: int = 8000) -> bytes:
 
 
 def test_a_sound_that_is_too_long_is_not_taken_however_small_its_file_is() -> None:
-    with served(ServerSettings(port=0, limits=ServerLimits(longest_file=60))) as address:
+    with served(ServerSettings(port=0, limits=ServerLimits(max_duration=60))) as address:
         sound = silent_flac(120)
         assert len(sound) < 100_000
         status, sentence = told(exported(address, sound, format="rhubarb-tsv"))
@@ -188,7 +188,7 @@ def test_a_short_file_does_not_wait_for_a_long_one_that_came_first() -> None:
             long.cancel()
             await asyncio.gather(long, return_exceptions=True)
 
-    with served(ServerSettings(port=0, limits=ServerLimits(most_files=1, longest_file=7200))) as address:
+    with served(ServerSettings(port=0, limits=ServerLimits(max_files=1, max_duration=7200))) as address:
         run(both(address))
     assert ended == ["short"]
 
@@ -201,7 +201,7 @@ def test_a_form_that_stops_coming_is_given_up() -> None:
         assert b"nothing came for 1 s" in await reader.read()
         writer.close()
 
-    with served(ServerSettings(port=0, limits=ServerLimits(idle=1))) as address:
+    with served(ServerSettings(port=0, limits=ServerLimits(idle_timeout=1))) as address:
         run(ask(address))
 
 
@@ -226,6 +226,6 @@ def test_what_takes_too_long_is_given_up_and_leaves_nothing() -> None:
         writer.close()
 
     made = watched(Path(tempfile.gettempdir()), {"tempfile.mkdtemp"})
-    with made as folders, served(ServerSettings(port=0, limits=ServerLimits(file_seconds=1))) as address:
+    with made as folders, served(ServerSettings(port=0, limits=ServerLimits(file_timeout=1))) as address:
         run(ask(address))
         assert [Path(folder).exists() for _, folder in folders.changes] == [False]

@@ -72,7 +72,7 @@ def test_what_is_none_is_refused_in_a_sentence(told: dict[str, str], words: str)
 
 
 def test_a_server_may_allow_none_to_be_sent() -> None:
-    closed = Repertoire.of_files([DEFAULT_PRESET], [], ServerLimits(largest_own=0))
+    closed = Repertoire.of_files([DEFAULT_PRESET], [], ServerLimits(max_own=0))
     with pytest.raises(RefusedError, match="may have 0 KB"):
         begun(closed, preset=PRESET)
     assert begun(closed, preset="learned", table="arkit").preset == load_preset("learned")

@@ -187,7 +187,7 @@ def test_what_is_no_http_is_answered_by_a_sentence(server: str, words: bytes) ->
 
 
 def test_a_client_that_says_nothing_is_let_go() -> None:
-    with served(ServerSettings(port=0, limits=ServerLimits(idle=1))) as address:
+    with served(ServerSettings(port=0, limits=ServerLimits(idle_timeout=1))) as address:
         told = said(address, json.dumps(START))
         assert "nothing came for 1 s" in told.error
         parts = urlsplit(address)
@@ -217,7 +217,7 @@ def test_there_are_no_more_streams_than_allowed() -> None:
                 codes.append(len(await again.receive_json()))
         return codes
 
-    with served(ServerSettings(port=0, limits=ServerLimits(most_streams=1))) as address:
+    with served(ServerSettings(port=0, limits=ServerLimits(max_streams=1))) as address:
         assert run(speak(address)) == [503, 1]
 
 
@@ -227,13 +227,13 @@ def test_there_are_no_more_connections_than_allowed() -> None:
             found = await session.get(address)
             return found.status, await found.json()
 
-    with served(ServerSettings(port=0, limits=ServerLimits(most_connections=1))) as address:
+    with served(ServerSettings(port=0, limits=ServerLimits(max_connections=1))) as address:
         status, told = run(speak(address))
         assert (status, told) == (503, {"error": "there are as many connections as this server takes; try later"})
 
 
 def test_connections_that_say_nothing_keep_nobody_out() -> None:
-    with served(ServerSettings(port=0, limits=ServerLimits(most_connections=8))) as address:
+    with served(ServerSettings(port=0, limits=ServerLimits(max_connections=8))) as address:
         parts = urlsplit(address)
         silent = [socket.create_connection((parts.hostname, parts.port), timeout=60) for _ in range(30)]
         for client in silent[::2]:
@@ -252,7 +252,7 @@ def test_an_address_has_no_more_connections_than_one_may_have() -> None:
                 pass  # the server has not noticed yet
             return refused, again
 
-    with served(ServerSettings(port=0, limits=ServerLimits(most_per_address=2))) as address:
+    with served(ServerSettings(port=0, limits=ServerLimits(max_per_address=2))) as address:
         assert run(speak(address)) == (429, 200)
 
 
@@ -277,7 +277,7 @@ def test_a_flood_is_read_no_faster_than_allowed(recording: Sound) -> None:
             await client.send_bytes(block)
         await client.send_json({"end": True})
 
-    with served(ServerSettings(port=0, limits=ServerLimits(most_speed=10))) as address:
+    with served(ServerSettings(port=0, limits=ServerLimits(max_speed=10))) as address:
         assert run(flood(address)) >= (seconds - 5.0) / 10  # five seconds may come at once
 
 
@@ -295,7 +295,7 @@ def test_a_client_that_takes_no_answers_is_let_go_and_no_other_one_waits(recordi
             with pytest.raises(ConnectionError):
                 await flood(client)
 
-    with served(ServerSettings(port=0, limits=ServerLimits(idle=1, most_speed=1000))) as address:
+    with served(ServerSettings(port=0, limits=ServerLimits(idle_timeout=1, max_speed=1000))) as address:
         run(speak(address))
         told = streamed(address, START, cut(recording.tobytes(), [4 * 882]))
         assert told.code == 1000

@@ -266,12 +266,12 @@ class ConversionOptions:
         "auto: x.TextGrid with words, or x.txt, beside x.wav"
     )
     speaker: str | None = _option(
-        "speaker, for a .TextGrid or .json of several", "NAME", needs=_TEXT, elsewhere=False
+        "speaker whose words are used, where a .TextGrid or .json has several", "NAME", needs=_TEXT, elsewhere=False
     )
     language: str | None = _option("language of the text, such as en-us or de", "L", needs=_TEXT)
     lexicon: Path | None = _file("pronunciations of words, .toml or .csv", needs=_TEXT)
     literal: bool = _switch(
-        "treat speakers' names, [directions], *emphasis*, <tags> and &entities; as words", needs=_TEXT
+        "read speakers' names, [directions], *emphasis*, <tags> and &entities; as words", needs=_TEXT
     )
     accept_text: bool = _switch("align even if the recording does not seem to match the text", needs=_TEXT)
     format: str | None = _option("file format (default: from the ending of OUT)", "F", OneOf(tuple(FORMATS)))
@@ -286,14 +286,14 @@ class ConversionOptions:
         f"how far the mouth leads the sound, 0..{MOST_ANTICIPATION} s", "S", Number(), limits=(0.0, MOST_ANTICIPATION)
     )
     detail: Detail = _option("units that the mouth follows", "|".join(Detail), OneOf(Detail), Detail.PHONEMES)
-    attack: float = _option("factor of the times in which mouth shapes rise", "X", Number(), 1.0, limits=FACTORS)
-    release: float = _option("factor of the times in which mouth shapes fall", "X", Number(), 1.0, limits=FACTORS)
+    attack: float = _option("factor for the time that mouth shapes take to rise", "X", Number(), 1.0, limits=FACTORS)
+    release: float = _option("factor for the time that mouth shapes take to fall", "X", Number(), 1.0, limits=FACTORS)
     steady: bool = _switch("do not vary shapes and times at random")
     no_blinks: bool = _switch("keep the eyes open")
     no_head: bool = _switch("keep the head still")
-    seed: int | None = _option("seed of random variation, also of pinyin", "N", Number(0, whole=True))
+    seed: int | None = _option("seed of random variation, including that of pinyin", "N", Number(0, whole=True))
     expression: tuple[str, ...] = _option(
-        f"expression beside speech: NAME=V,... (0..1) of {', '.join(expression_presets())} or blend shapes; or a "
+        f"expression added to speech: NAME=V,... (0..1) of {', '.join(expression_presets())} or blend shapes; or a "
         "Live Link Face or OpenFace CSV; may be repeated",
         "E",
         str,
@@ -306,7 +306,7 @@ class ConversionOptions:
         read_feeling,
     )
     text_feeling: float | None = _option(
-        "follow what the text says of feeling, 0..1: [smile], [angry 0.6], emoji, good and bad words",
+        "follow the feeling in the text, 0..1: [smile], [angry 0.6], emoji, good and bad words",
         "V",
         Number(0, 1),
     )
@@ -317,7 +317,7 @@ class ConversionOptions:
         "priority of speech over expressions, 0..1, on its own and on other channels", "S[,E]"
     )
     text_driver: FaceDriver = _option(
-        "driver of the face (auto: what --performance or --face-network names, pinyin for Chinese, else rules)",
+        "what moves the face (auto: what --performance or --face-network names, pinyin for Chinese, else rules)",
         "|".join(FaceDriver),
         OneOf(FaceDriver),
         FaceDriver.AUTO,
@@ -331,7 +331,8 @@ class ConversionOptions:
     pinyin_table: Path | None = _file("your own pinyin table (.toml)", "T")
     spring: str | None = _option("spring that moves the mouth: mass, stiffness, damping", "M,K,D")
     performance: tuple[Path, ...] = _files(
-        "table of recorded faces that moves the face; of several, --use, --person or the language choose", "T.sqlite"
+        "table of recorded faces that moves the face; of several, --use, --person or the language selects one",
+        "T.sqlite",
     )
     face_network: Path | None = _file("network that moves the face by the sound alone (performance learn)", "N.face")
     use: str | None = _option("name of the table to use", "NAME", needs=_TABLE, elsewhere=False)
@@ -348,9 +349,11 @@ class ConversionOptions:
     )
     keywords: tuple[Path, ...] = _files("your own words with gestures, and conjunctions (TOML)", "F", needs=_TABLE)
     performance_sound: bool = _switch(
-        "speak with the sounds of the table's recordings, as the voice would say it", needs=_TABLE, elsewhere=False
+        "speak with units of the table's recordings, timed and pitched as the voice would say them",
+        needs=_TABLE,
+        elsewhere=False,
     )
-    units: Path | None = _file("write which recording each unit comes from", "OUT.csv", needs=_TABLE)
+    units: Path | None = _file("write a table of the recording that each unit comes from", "OUT.csv", needs=_TABLE)
     mesh: Path | None = _file("head: woman or man, or your own face: .glb, .vrm, .gltf, .obj or .x", "M")
     movestates: Path | None = _file("its movestates: .3dm or .3dma", "F")
     keys: Path | None = _file("edited keys of blend shapes, or auto: x.keys.toml beside x.wav")
@@ -369,7 +372,7 @@ class ConversionOptions:
         Framing.FACE,
         elsewhere=False,
     )
-    transparent: bool = _switch("nothing behind the heads: .png and .gif", elsewhere=False)
+    transparent: bool = _switch("transparent background, for .png and .gif", elsewhere=False)
     theme: str = _option("colours (default: light)", "|".join(THEMES), OneOf(THEMES), THEMES[0], elsewhere=False)
     overwrite: bool = _switch("replace existing files, however they were made", elsewhere=False)
 

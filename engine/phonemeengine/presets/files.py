@@ -129,7 +129,7 @@ def load_preset(path: str | os.PathLike[str]) -> Preset:
     PresetError : the file cannot be read or is no preset; the message begins with the file's name.
     """
     path = preset_path(path)
-    if path.name == str(path) and not path.suffix and not path.exists():
+    if path.name == str(path) and not path.suffix and not os.path.lexists(path):
         words = remedy(str(path), sorted(_names()), "name a file, or one of {}")
         raise PresetError(f"{path}: there is no such preset; {words}")
     text = read_text_file(path, LARGEST_FILE, "a .toml or .phonemedata file", PresetError)
@@ -194,7 +194,7 @@ def _is_shipped(encoder: LiveEncoder, folder: Path, shipped: Path) -> bool:
 def preset_path(name: str | os.PathLike[str]) -> Path:
     """Return the file of a preset that is given by its path, or by the bare name of a factory or own preset."""
     path = Path(name)
-    if path.name != str(path) or path.exists():
+    if path.name != str(path) or os.path.lexists(path):
         return path
     return _names().get(str(path), path)
 

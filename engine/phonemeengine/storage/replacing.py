@@ -141,11 +141,19 @@ def output_path(target: Path | None, ending: str = "") -> Iterator[Path]:
 
 
 def _print(content: bytes, *, is_text: bool) -> None:
-    if is_text:
-        encoding = sys.stdout.encoding or "utf-8"
-        text = content.decode(errors="surrogateescape")
-        sys.stdout.write(text.encode(encoding, errors="replace").decode(encoding))
-    else:
+    if sys.stdout is None:  # it was closed before the program began
+        raise EngineError("standard output is closed; name a file with -o")
+    try:
+        if is_text:
+            encoding = sys.stdout.encoding or "utf-8"
+            text = content.decode(errors="surrogateescape")
+            sys.stdout.write(text.encode(encoding, errors="replace").decode(encoding))
+        else:
+            sys.stdout.flush()
+            sys.stdout.buffer.write(content)
         sys.stdout.flush()
-        sys.stdout.buffer.write(content)
-    sys.stdout.flush()
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        words = f"standard output cannot be written ({reason_of(error)}); free some space, or name a file with -o"
+        raise EngineError(words) from error

@@ -9290,6 +9290,16 @@
             <translation>Standardabweichung des Pegels, als Band um jede Kurve</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/storage/replacing.py" />
+            <source>standard output cannot be written ({error}); free some space, or name a file with -o</source>
+            <translation>Die Standardausgabe lässt sich nicht schreiben ({error}); Platz schaffen oder mit -o eine Datei angeben</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/storage/replacing.py" />
+            <source>standard output is closed; name a file with -o</source>
+            <translation>Die Standardausgabe ist geschlossen; mit -o eine Datei angeben</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Start</source>
             <translation>Starten</translation>
