@@ -1,11 +1,15 @@
 """What the answers of other recognisers are taken for, before they are compared with ours."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
-from phonemeengine.calibration.scores.corpus import FrameLabels
+from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance
+from phonemeengine.labels.label import Label
 from phonemeengine.labels.visemes import NO_VISEME
 from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
+from tools.bench.peers.__main__ import first_of_each
 from tools.bench.peers.mapping import (
     VISEMES,
     arpabet_class,
@@ -92,3 +96,14 @@ def test_a_recogniser_that_cannot_be_installed_says_why(tmp_path):
     assert isinstance(peer, Peer)
     with pytest.raises(PeerError, match="python"):
         Workshop(tmp_path).answers_of(peer, tmp_path / "sounds.json")
+
+
+@pytest.mark.parametrize(
+    ("seconds", "chosen"), [(0.5, ""), (3.0, "a1 b1 c1"), (5.5, "a1 a2 b1 c1 c2"), (60.0, "all")]
+)
+def test_all_speakers_are_compared_by_turns_as_long_as_is_asked(seconds: float, chosen: str):
+    said = (Label(0.0, 1.0, "a", Phoneme.A),)
+    names = ["a1", "a2", "a3", "b1", "c1", "c2"]
+    recordings = [LabelledUtterance(Path(name), said, speaker=name[0], corpus="some") for name in names]
+    found = [str(recording.path) for recording in first_of_each(recordings, seconds / 60)]
+    assert found == (names if chosen == "all" else chosen.split())

@@ -6,6 +6,7 @@ import math
 import re
 import tempfile
 import time
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import date
@@ -36,6 +37,8 @@ from tools.bench.peers.peer import LEFT_OUT, PEERS, Answer, Peer, PeerError, Wor
 COLUMNS = "macro F1 | mouth shapes | clear vowels | silence recall | false silence | delay | x real time"
 OUTSIDE = "*"
 """Marks figures of recordings in languages that a recogniser is not made for."""
+MOST_MINUTES = 6.0
+"""Of speech that are compared where nothing else is asked for: one core needs some minutes for that."""
 LEARNED = ", learned from"
 """Marks speakers from whom the network learned."""
 
@@ -125,6 +128,18 @@ class Comparison:
         return 60 * self.minutes / max(seconds, 1e-9)
 
 
+def first_of_each(utterances: Sequence[LabelledUtterance], minutes: float) -> list[LabelledUtterance]:
+    """Return the first recordings of all speakers, taken by turns as long as they last no more than some minutes."""
+    seen: Counter[str] = Counter()
+    turns = []
+    for k, utterance in enumerate(utterances):
+        turns.append((seen[utterance.voice], k))
+        seen[utterance.voice] += 1
+    order = [k for _, k in sorted(turns)]
+    ends = np.cumsum([len(frame_labels_of(utterances[k].labels).phonemes) * FRAME_PERIOD / 60 for k in order])
+    return [utterances[k] for k in sorted(order[: int((ends <= minutes).sum())])]
+
+
 def ours() -> Iterator[tuple[str, Preset]]:
     """Return the presets that are compared, each as it is used, under its title."""
     learned = load_preset(DEFAULT_PRESET)
@@ -207,8 +222,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m tools.bench.peers", description=__doc__)
     parser.add_argument("corpus", nargs="?", type=Path, default=Path("tests/data/corpus"))
     parser.add_argument("--folder", type=Path, default=Path("build/peers"), help="where the others are installed")
+    least = "of recordings, by turns of each speaker in the order of the manifest (default: %(default)g)"
+    parser.add_argument("--minutes", type=float, default=MOST_MINUTES, help=least)
     options = parser.parse_args()
-    comparison, workshop = Comparison(read_recordings(options.corpus)), Workshop(options.folder)
+    utterances = first_of_each(read_recordings(options.corpus), options.minutes)
+    comparison, workshop = Comparison(utterances), Workshop(options.folder)
     rows, troubles = [], [LEFT_OUT]
     for title, preset in ours():
         print(f"recognising with {title} ...", flush=True)
