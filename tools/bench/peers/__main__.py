@@ -144,14 +144,14 @@ def ours() -> Iterator[tuple[str, Preset]]:
     """Return the presets that are compared, each as it is used, under its title."""
     learned = load_preset(DEFAULT_PRESET)
     live, small = for_live_use(learned), with_small_network(learned)
-    yield f"learned, live, {_ahead(small)}", small
-    yield f"learned, {_ahead(learned)}", for_files(learned, ModelKind.REAL_TIME)
+    yield f"learned, small network, {_ahead(small)}", small
+    yield f"learned, small network, {_ahead(learned)}", for_files(learned, ModelKind.REAL_TIME)
     if live.model_kind is ModelKind.ENCODER:
-        yield f"learned, live, real-time model, {_ahead(live)}", live
+        yield f"learned, real-time model, {_ahead(live)}", live
         slower = for_files(learned, ModelKind.ENCODER)
         yield f"learned, real-time model, {_ahead(slower)}", slower
     for title, kind in (
-        ("learned, files", ModelKind.OFFLINE),
+        ("learned, files, offline model", ModelKind.OFFLINE),
         ("learned, files with Whisper's encoder", ModelKind.WHISPER),
     ):
         if has_model(learned, kind):
@@ -161,7 +161,7 @@ def ours() -> Iterator[tuple[str, Preset]]:
 
 
 def _ahead(preset: Preset) -> str:
-    return f"{1000 * frames_ahead(preset) * FRAME_PERIOD:g} ms ahead"
+    return f"look-ahead {1000 * frames_ahead(preset) * FRAME_PERIOD:g} ms"
 
 
 def learned_from() -> set[str]:
