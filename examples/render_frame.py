@@ -36,7 +36,7 @@ scene.camera = bpy.data.objects["camera"]
 for side, watts in ((-1, 600), (1, 250)):
     light = add(bpy.data.lights.new(f"light {side}", "AREA"), (3.0 * side, -4, 2.5), (1.1, 0, 0.64 * side))
     light.energy, light.size = watts, 3
-scene.render.engine, scene.cycles.device, scene.cycles.samples = "CYCLES", "CPU", 32
+scene.render.engine, scene.cycles.device, scene.cycles.samples = "CYCLES", "CPU", 8
 scene.render.resolution_x = scene.render.resolution_y = 480
 scene.frame_set(round(float(seconds) * scene.render.fps))
 scene.render.filepath = str(Path(picture).resolve())

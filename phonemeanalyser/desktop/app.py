@@ -188,6 +188,7 @@ class Desktop:
         window.theme_asked.connect(self.set_theme)
         window.language_asked.connect(self.set_language)
         window.demo_asked.connect(self._show_demo)
+        window.welcome.animation_asked.connect(self._animate)
         if self._calibration is not None:
             window.join_calibration(self._calibration)
         return window
@@ -202,6 +203,14 @@ class Desktop:
         self.window.show_page(0)
         if self.demo is not None and self.window.dialogs.open_sound(self.demo):
             self.session.play()
+
+    def _animate(self) -> None:
+        """Lead through the Talk page with the recording that is open; without one of the user's own, ask for it."""
+        talk = self.window.talking_dialogs
+        talk.page_asked.emit()
+        if self.session.path in {None, self.demo}:
+            self.window.dialogs.ask_sound()
+        talk.show_first_tour()
 
     def _follow_system(self) -> None:
         if read(self._settings, "theme", "system") == "system" and self.window.theme != system_theme():

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QSettings, Qt
-from PySide6.QtGui import QAction, QGuiApplication
+from PySide6.QtGui import QAction, QActionGroup, QGuiApplication
 from PySide6.QtWidgets import QMenu, QWidget
 
 from phonemeanalyser.desktop.analyse.lanes.label_dialogs import LabelDialogs
@@ -26,7 +26,9 @@ from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.settings import read
 from phonemeanalyser.desktop.talk.dialogs import TalkDialogs
 from phonemeanalyser.desktop.talk.drivers.comparison_menu import ComparisonMenu
+from phonemeanalyser.desktop.talk.head.head_view import LIGHT_STEP, HeadView
 from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.talk.pictures import PICTURE_RATES
 from phonemeanalyser.desktop.welcome import WelcomeCards
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.mouth.files.io import FaceFiles
@@ -202,23 +204,17 @@ def connect_score(score: ScoreStrip, show_page: Callable[[int], None], labels: L
 def connect_cards(
     cards: WelcomeCards,
     session: Session,
-    dialogs: Dialogs,
     show_page: Callable[[int], None],
     calibrate: Callable[[], object],
 ) -> None:
-    """Have the cards of the first start lead somewhere; the window plays the demo itself."""
+    """Have the cards of the first start lead somewhere; the program itself plays the demo and animates."""
 
     def listen() -> None:
         show_page(PAGES.index("Analyse"))
         session.set_source(SourceKind.MICROPHONE)
 
-    def animate() -> None:
-        show_page(PAGES.index("Talk"))
-        dialogs.ask_sound()
-
     cards.microphone_asked.connect(listen)
     cards.calibration_asked.connect(calibrate)
-    cards.animation_asked.connect(animate)
 
 
 def record_commands(session: Session, dialogs: Dialogs) -> Commands:
@@ -314,7 +310,22 @@ def face_commands(talking: TalkModel, dialogs: TalkDialogs) -> Commands:
         Command(tr_noop("Open Recorded Faces…"), "", dialogs.ask_performance),
         Command(tr_noop("Open Face Network…"), "", dialogs.ask_network),
         None,
-        *(Command(words, "", partial(dialogs.look_at, framing)) for framing, words in framings.items()),
+        *(
+            Command(words, "", partial(dialogs.look, partial(HeadView.go_home, framing=framing)))
+            for framing, words in framings.items()
+        ),
+        Command(
+            tr_noop("Wireframe (W)"),
+            "",
+            lambda on: dialogs.look(partial(HeadView.look, wireframe=on)),
+            checkable=True,
+        ),
+        Command(
+            tr_noop("Move Light Left (,)"), "", partial(dialogs.look, partial(HeadView.move_light, angle=-LIGHT_STEP))
+        ),
+        Command(
+            tr_noop("Move Light Right (.)"), "", partial(dialogs.look, partial(HeadView.move_light, angle=LIGHT_STEP))
+        ),
     )
 
 
@@ -326,7 +337,21 @@ def add_talk_menu(menus: Menus, talking: TalkModel, dialogs: TalkDialogs, window
     """Add the menu of the head."""
     menu = menus.add(tr("&Talk"), *talk_commands(talking, dialogs), menus.actions["Export…"], None)
     menus.add(tr("Face"), *face_commands(talking, dialogs), within=menu)
+    rates = QActionGroup(window)
+    for rate in PICTURE_RATES:
+        action = rates.addAction(tr("{rate}/s").format(rate=rate))
+        action.setCheckable(True)
+        action.setData(rate)
+    rates.triggered.connect(lambda action: talking.pictures.set_rate(action.data()))
+    menus.add(tr("Pictures a second"), *rates.actions(), within=menu)
+
+    def show_looks() -> None:
+        menus.show_checked("Wireframe (W)", dialogs.wireframe)
+        for action in rates.actions():
+            action.setChecked(action.data() == talking.pictures.rate)
+
     menu.aboutToShow.connect(partial(show_talk, menus, talking))
+    menu.aboutToShow.connect(show_looks)
     menu.addMenu(ComparisonMenu(talking.text.drivers, talking.comparison, window))
 
 

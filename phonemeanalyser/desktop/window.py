@@ -296,8 +296,7 @@ class MainWindow(QMainWindow):
         """Have the cards of the first start lead somewhere, and go when the user begins something else."""
         cards = self.welcome
         cards.demo_asked.connect(self.demo_asked)
-        commands.connect_cards(cards, self._session, self.dialogs, self.show_page, self._begin_calibration)
-        cards.animation_asked.connect(self.talking_dialogs.show_first_tour)
+        commands.connect_cards(cards, self._session, self.show_page, self._begin_calibration)
         self._session.transport_changed.connect(cards.hide)
         self._focus.clicked.connect(cards.leave_for)
 

@@ -1,6 +1,6 @@
 """Clips: heads that move, one or several side by side, as a film with sound, a .gif, or a folder of pictures."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -243,7 +243,8 @@ def write_clip(
     sheet = SideBySide(options.size, captions, options.theme.text, background)
     with OffscreenRenderer(morph_mesh, sheet.head_size) as offscreen:
         camera = Camera.facing(morph_mesh.mesh, options.framing).orbit(ASIDE, ABOVE)
-        heads = _pictures_of(players, camera, offscreen, background, progress)
+        fine = out.suffix.lower() != ".mp4" or not offscreen.in_software  # in a film it is hardly seen, and is slow
+        heads = _pictures_of(players, partial(offscreen.picture, camera, fine=fine), background, progress)
         _write(out, n_frames, map(sheet.picture, heads), options, sound, guard)
 
 
@@ -268,8 +269,7 @@ def sound_track(reader: SoundReader, start: float = 0.0, end: float | None = Non
 
 def _pictures_of(
     players: Sequence[AnimationPlayer],
-    camera: Camera,
-    offscreen: OffscreenRenderer,
+    draw: Callable[..., UInt8Array],
     background: str | None,
     progress: Progress,
 ) -> Iterator[list[UInt8Array]]:
@@ -277,7 +277,7 @@ def _pictures_of(
     colour = None if background is None else colour_of(background)
     for k, heads in enumerate(zip(*(player.scenes() for player in players), strict=True)):
         report_progress(progress, k / max(1, len(players[0])))
-        yield [offscreen.picture(camera, positions, pose, background=colour, glow=True) for positions, pose in heads]
+        yield [draw(positions, pose, background=colour, glow=True) for positions, pose in heads]
 
 
 def _write(

@@ -8,7 +8,7 @@ from typing import Any
 import moderngl
 import numpy as np
 
-from phonemeanalyser.rendering import RenderingError
+from phonemeanalyser.rendering import RenderingError, draws_in_software
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.light import LIGHT, Light
 from phonemeanalyser.rendering.renderer import STILL, Colour, HeadRenderer
@@ -66,6 +66,10 @@ class OffscreenRenderer:
     morph_mesh : whose pictures are taken.
     size : width and height, pixels.
 
+    Attributes
+    ----------
+    in_software : whether the processor draws, not a graphics card.
+
     Raises
     ------
     RenderingError : there is no OpenGL 3.3 on this machine, or no room for pictures of this size.
@@ -76,6 +80,7 @@ class OffscreenRenderer:
         with ExitStack() as unless_ready:
             unless_ready.callback(self._context.release)
             with self._context:
+                self.in_software = draws_in_software(self._context.info["GL_RENDERER"])
                 self._sheet = _sheet(self._context, size)
                 self._renderer = HeadRenderer(self._context, morph_mesh)
             unless_ready.pop_all()

@@ -134,6 +134,10 @@ def test_the_cards_come_once_and_lead_to_demo_microphone_and_calibration(desktop
     window.welcome.show_cards()
     QTest.mouseClick(window.welcome.cards[2], LEFT)
     assert window.calibration.guide.isVisible()
+    desktop.demo = None
+    window.welcome.show_cards()
+    QTest.mouseClick(window.welcome.cards[3], LEFT)  # which asks for no file, since one is open
+    assert window.talk.tour.isVisible()
 
 
 def test_the_cards_go_at_escape_and_fit_into_a_small_window(window):

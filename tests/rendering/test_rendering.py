@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.ndimage import binary_fill_holes
 
-from phonemeanalyser.rendering import RenderingError
+from phonemeanalyser.rendering import RenderingError, draws_in_software
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.light import Light
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer, offscreen_context
@@ -48,6 +48,11 @@ def plain(head: MorphMesh) -> MorphMesh:
         kept = file["part"][head.mesh.triangles[:, 0]] != LASHES
     mesh = mesh_of(head.mesh.positions, head.mesh.triangles[kept], colours=head.mesh.colours)
     return MorphMesh(mesh, head.states)
+
+
+def test_renderers_that_are_programs_are_told_from_graphics_cards() -> None:
+    names = "llvmpipe (LLVM 15.0.6, 256 bits)", "Google SwiftShader", "NVIDIA GeForce RTX 3060", "Mesa Intel(R) UHD"
+    assert [draws_in_software(name) for name in names] == [True, True, False, False]
 
 
 def saying(head: MorphMesh, phoneme: Phoneme) -> Float32Array:

@@ -75,7 +75,7 @@ def _preview(renderer: str) -> Figure:
     head = subdivided(load_head())
     talking, camera = _Talking(MovestateSet(head.mesh, head.states)), Camera.facing(head.mesh)
     with OffscreenRenderer(head, (640, 640)) as offscreen:
-        seconds = _processor_time(lambda: offscreen.picture(camera, talking.positions(), background=GREY))
+        seconds = _processor_time(lambda: offscreen.picture(camera, talking.positions(), background=GREY, fine=False))
     return Figure(f"preview 640x640 by {renderer}", f"{seconds * 1e3:.1f} ms", "20 ms", seconds / FRAME)
 
 

@@ -13,6 +13,7 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.settings import Kept, keep, read, read_paths
 from phonemeanalyser.desktop.talk.drivers.comparison_menu import COMPARISONS
 from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET
+from phonemeanalyser.desktop.talk.head.head_view import HeadView
 from phonemeanalyser.desktop.talk.head.mapping_dialog import FaceMappingDialog
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.mouth_table.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
@@ -24,7 +25,7 @@ from phonemeengine.errors import MouthError
 from phonemeengine.labels.table import write_text
 from phonemeengine.mouth.face_mapping import FaceMapping, mapped_table
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES, FaceFiles
-from phonemeengine.mouth.head import Framing, Head
+from phonemeengine.mouth.head import Head
 from phonemeengine.mouth.table import table_to_toml
 from phonemeengine.storage.files import write_file
 
@@ -96,11 +97,16 @@ class TalkDialogs(QObject):
         if not read(self._settings, "talk/toured", False):
             self.show_tour()
 
-    def look_at(self, framing: Framing) -> None:
-        """Show the mouth, the face or the bust from the front."""
+    def look(self, change: Callable[[HeadView], object]) -> None:
+        """Show the head, looked at in another way."""
         self.page_asked.emit()
         if self._page is not None:
-            self._page.head.go_home(framing)
+            change(self._page.head)
+
+    @property
+    def wireframe(self) -> bool:
+        """Whether only the edges of the head's mesh are drawn."""
+        return self._page is not None and self._page.head.wireframe
 
     @staticmethod
     def opens(path: Path) -> bool:

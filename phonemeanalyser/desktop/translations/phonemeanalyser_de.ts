@@ -5925,6 +5925,16 @@
             <translation>Licht bewegen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Move Light Left (,)</source>
+            <translation>Licht nach links (,)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Move Light Right (.)</source>
+            <translation>Licht nach rechts (.)</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
             <source>move of a boundary ({unit})</source>
             <translation>Verschieben einer Grenze ({unit})</translation>
@@ -7200,7 +7210,7 @@
             <translation>Phone</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Pictures a second</source>
             <translation>Bilder pro Sekunde</translation>
         </message>
@@ -11780,6 +11790,11 @@
             <translation>Drahtgitter</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Wireframe (W)</source>
+            <translation>Drahtgitter (W)</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
             <source>With a Face Network</source>
             <translation>Mit einem Gesichtsnetz</translation>
@@ -13515,7 +13530,7 @@
             <translation>{range} Silben je Sekunde</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>{rate}/s</source>
             <translation>{rate}/s</translation>
         </message>

@@ -205,7 +205,7 @@ def desktop_mesh(window: MainWindow):
     return window._talking.face.morph_mesh.mesh
 
 
-def test_w_and_the_box_show_the_wireframe(window):
+def test_w_box_and_menu_show_the_wireframe_and_the_menu_moves_the_light(window):
     head = window.talk.head
     head.setFocus()
     solid = picture(head)
@@ -214,6 +214,13 @@ def test_w_and_the_box_show_the_wireframe(window):
     assert np.abs(picture(head).astype(int) - solid).mean() > 5
     click(window.talk.heads.wireframe)
     assert not head.wireframe
+    actions, before = window.menus.actions, head.light.azimuth
+    actions["Wireframe (W)"].trigger()
+    assert window.talk.heads.wireframe.isChecked()
+    actions["Wireframe (W)"].trigger()
+    assert not head.wireframe
+    actions["Move Light Right (.)"].trigger()
+    assert head.light.azimuth > before
 
 
 # -- what it says -------------------------------------------------------------------------------------

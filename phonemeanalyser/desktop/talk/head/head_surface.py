@@ -11,7 +11,7 @@ from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QWidget
 from typing_extensions import override
 
-from phonemeanalyser.rendering import RenderingError
+from phonemeanalyser.rendering import RenderingError, draws_in_software
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.light import Light
 from phonemeengine.arrays import Float32Array, UInt8Array
@@ -19,8 +19,6 @@ from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.morph_mesh import MorphMesh
 
 GL_RENDERER = 0x1F01
-SOFTWARE = ("llvmpipe", "softpipe", "swrast", "software", "swiftshader", "gdi generic", "basic render")
-"""What the names of renderers hold that draw with the processor."""
 WITHOUT_GL = ("offscreen", "minimal", "vnc", "linuxfb")
 """Qt's platforms that have no OpenGL in their windows."""
 MOST_SHARE = 0.7
@@ -100,9 +98,9 @@ def has_graphics_card() -> bool:
     surface.create()
     if not (context.create() and surface.isValid() and context.makeCurrent(surface)):
         return False
-    name = str(context.functions().glGetString(GL_RENDERER)).lower()
+    name = str(context.functions().glGetString(GL_RENDERER))
     context.doneCurrent()
-    return not any(word in name for word in SOFTWARE)
+    return not draws_in_software(name)
 
 
 class GlSurface(QOpenGLWidget):
