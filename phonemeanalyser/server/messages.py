@@ -25,6 +25,7 @@ from phonemeengine.settings import FRAME_PERIOD
 _PHONEMES = [phoneme.label for phoneme in Phoneme]
 _START = ("encoding", "rate", "channels", "preset", "table", "probabilities", "events", "language", "text", "feeling")
 _LATER = ("text", "end")
+_THOUSANDTHS = np.array([json.dumps(k / 1000) for k in range(1001)], object)
 _T = TypeVar("_T", int, str)
 
 
@@ -121,25 +122,25 @@ def words(grown: GrownWords) -> str:
 def frames(found: RecognisedPiece, start: StreamStart) -> str:
     """Return what is said in the frames of a piece, of which there are some, to a client that began so."""
     analysis = found.analysis
-    sure = _thousandths(analysis.confidences)
     told: dict[str, Any] = {
         "time": round(analysis.start * FRAME_PERIOD, 2),
         "phonemes": [_PHONEMES[code] for code in analysis.phonemes.tolist()],
         "visemes": analysis.viseme_set.labels_of(analysis.visemes),
-        "confidences": [None] * len(sure) if math.isnan(sure[0]) else sure,
-        "intensities": _thousandths(analysis.intensities),
     }
+    numbers: dict[str, Float32Array | None] = {"intensities": analysis.intensities}
+    if math.isnan(analysis.confidences[0]):
+        told["confidences"] = [None] * len(analysis)
+    else:
+        numbers["confidences"] = analysis.confidences
     if found.weights is not None:
-        told["weights"] = _rounded(found.weights)
+        numbers["weights"] = found.weights
     if start.probabilities:
-        scores = scores_in(analysis.features)
-        told["phoneme_scores"] = None if scores is None else _rounded(scores)
-        told["viseme_scores"] = None if analysis.viseme_scores is None else _rounded(analysis.viseme_scores)
-        told |= {"blended": _rounded(start.blender.weights(analysis))} if start.blender else {}
+        numbers |= {"phoneme_scores": scores_in(analysis.features), "viseme_scores": analysis.viseme_scores}
+        numbers |= {"blended": start.blender.weights(analysis)} if start.blender else {}
     if len(found.feelings):
-        for name, column in zip(Feeling._fields, found.feelings.T, strict=True):
-            told[name] = _thousandths(column)
-    return json.dumps(told)
+        numbers |= zip(Feeling._fields, found.feelings.T, strict=True)
+    told |= {name: None for name, values in numbers.items() if values is None}
+    return json.dumps(told)[:-1] + _thousandths({k: v for k, v in numbers.items() if v is not None}) + "}"
 
 
 def end(speech: IncomingSpeech) -> str:
@@ -168,13 +169,24 @@ def _word(word: Word) -> dict[str, Any]:
     return {"word": word.text, "start": round(word.start, 2), "end": round(word.end, 2), "phones": phones}
 
 
-def _rounded(rows: Float32Array) -> list[list[float]]:
-    rounded: list[list[float]] = np.round(rows.astype(np.float64), 3).tolist()
-    return rounded
+def _thousandths(numbers: Mapping[str, Float32Array]) -> str:
+    """Return numbers of frames, rounded, as what follows in a JSON object: a list each, or a list of rows.
 
-
-def _thousandths(values: Float32Array) -> list[float]:
-    return [round(value, 3) for value in values.tolist()]
+    Those of 0..1 are looked up, all at once: writing numbers was a fifth of the work for a stream.
+    """
+    blocks = [values.reshape(len(values), -1) for values in numbers.values()]
+    steps = np.rint(np.hstack(blocks).astype(np.float64) * 1000)
+    if ((steps >= 0) & (steps <= 1000)).all():
+        rows = _THOUSANDTHS[steps.astype(np.intp)].tolist()
+    else:
+        rows = [[json.dumps(value) for value in row] for row in (steps / 1000).tolist()]
+    written, at = "", 0
+    for (name, values), block in zip(numbers.items(), blocks, strict=True):
+        begin, at = at, at + block.shape[1]
+        lists = [", ".join(row[begin:at]) for row in rows]
+        joined = ", ".join(lists) if values.ndim == 1 else f"[{'], ['.join(lists)}]"
+        written += f', "{name}": [{joined}]'
+    return written
 
 
 def _object_in(message: str, known: tuple[str, ...]) -> Mapping[str, Any]:

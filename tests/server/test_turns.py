@@ -7,7 +7,7 @@ import pytest
 
 from phonemeanalyser.server.files import FileTurns
 from phonemeanalyser.server.session import Pace
-from phonemeanalyser.server.turns import Turns
+from phonemeanalyser.server.turns import HALVED, Turns
 from phonemeengine import EngineError, GrownWords, load_preset, words_of
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import Encoding, StreamFormat
@@ -65,6 +65,19 @@ def test_all_that_waits_is_heard() -> None:
     streams = Stream(5), Stream(1), Stream(0)
     taken(*streams)
     assert [stream.n_frames for stream in streams] == [48, 8, 0]
+
+
+def test_two_halves_of_many_streams_alternate_and_all_are_heard() -> None:
+    order: list[int] = []
+
+    class Noted(Stream):
+        def tell(self, heard: RecognisedPiece) -> None:
+            order.append(id(self))
+
+    taken(*(Noted(2) for _ in range(HALVED)))
+    first, second, *others = (set(order[k : k + HALVED // 2]) for k in range(0, 2 * HALVED, HALVED // 2))
+    assert not first & second
+    assert others == [first, second]
 
 
 def test_words_are_looked_for_in_all_streams_while_there_is_little_time() -> None:

@@ -87,7 +87,7 @@ MOST_CHANNELS = 64
 """Channels that a block may have."""
 LOUDEST = 100.0
 """Full scale is 1; what is so far above it is no sound, but integers that were not scaled."""
-_SCALES = {"int16": 1 << 15, "int32": 1 << 31, "float32": 1, "float64": 1}
+_SCALES = {np.dtype(np.int16): 1 << 15, np.dtype(np.int32): 1 << 31, np.dtype(np.float32): 1, np.dtype(float): 1}
 
 
 class SampleIntake:
@@ -146,7 +146,7 @@ class SampleIntake:
         return np.pad(rest, (0, n_missing - len(rest)))
 
     def _mono(self, samples: Any) -> Float32Array:
-        scale = _SCALES.get(str(samples.dtype)) if samples.size else 1
+        scale = _SCALES.get(samples.dtype) if samples.size else 1
         if scale is None:
             raise AudioError(f"samples are float32 within ±1, int16 or int32, got {samples.dtype}; convert them")
         if samples.ndim not in {1, 2} or (samples.ndim == 2 and not 1 <= samples.shape[1] <= MOST_CHANNELS):

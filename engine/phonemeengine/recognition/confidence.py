@@ -5,6 +5,7 @@ rising curve, found by isotonic regression on speakers who took no part in the t
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -50,7 +51,11 @@ class ConfidenceCurve:
 
     def of(self, scores: Float32Array) -> Float32Array:
         """Return the confidence of answers with these scores, 0..1, same shape."""
-        return np.interp(scores, self.scores, self.shares).astype(np.float32)
+        return np.interp(scores, *self._points).astype(np.float32)
+
+    @cached_property
+    def _points(self) -> tuple[Float64Array, Float64Array]:
+        return np.array(self.scores, np.float64), np.array(self.shares, np.float64)
 
 
 UNFITTED = ConfidenceCurve()

@@ -134,7 +134,7 @@ class VisemeSmoother:
         visemes = []
         for phoneme, viseme, row in zip(phonemes.tolist(), allowed.argmax(axis=1).tolist(), allowed, strict=True):
             # a new phoneme starts anew; within one, the margin is the hysteresis
-            if phoneme != self._phoneme or row[viseme] > row[self._viseme] + MARGIN:
+            if phoneme != self._phoneme or (viseme != self._viseme and row[viseme] > row[self._viseme] + MARGIN):
                 self._phoneme, self._viseme = phoneme, viseme
             visemes.append(self._viseme)
         return np.array(visemes, np.uint8)
