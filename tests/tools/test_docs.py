@@ -101,6 +101,16 @@ def test_every_name_of_the_code_is_there() -> None:
     assert [(shown(page), name) for page, name in names if name not in defined()] == []
 
 
+def test_what_the_page_on_the_engine_calls_is_where_it_says() -> None:
+    page = prose(DOCS / "engine.md")
+    modules = [
+        importlib.import_module(name) for name in {"phonemeengine", *re.findall(r"`(phonemeengine\.[\w.]+)`", page)}
+    ]
+    called = re.findall(r"(?<![\w.])([A-Za-z]\w+)\(", " ".join(re.findall(r"`([^`]+)`", page)))
+    assert len(called) > 20
+    assert {name for name in called if not any(hasattr(module, name) for module in modules)} == {"close"}
+
+
 def test_the_way_of_a_block_names_what_is_there() -> None:
     told = [line.split("|")[2].strip(" `") for line in prose(DOCS / "architecture.md").splitlines() if "| `" in line]
     way = [name for name in told if re.fullmatch(r"\w+(\.\w+)?", name)]
