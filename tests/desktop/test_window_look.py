@@ -7,7 +7,7 @@ from itertools import groupby
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QAction, QImage
 from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QDockWidget, QLabel, QMenu, QWidget
 
@@ -151,17 +151,33 @@ def test_whatever_the_page_of_the_head_does_with_files_is_in_a_menu_too(desktop,
 
 def test_no_menu_has_more_than_seven_entries_without_a_line(desktop, qtbot):
     window = shown(desktop, qtbot)
+    desktop.preset.load(preset_path("extended"))  # whose rules have a menu
     for page in range(3):
         window.show_page(page)
-    by_actions = Qt.ContextMenuPolicy.ActionsContextMenu
-    lists = [(m.title() or type(m.parent()).__name__, m.actions()) for m in window.findChildren(QMenu)]
-    lists += [
-        (type(w).__name__, w.actions()) for w in window.findChildren(QWidget) if w.contextMenuPolicy() == by_actions
-    ]
-    assert len(lists) > 20
+    menus = window.findChildren(QMenu)
+    for each in menus:
+        each.aboutToShow.emit()  # some are filled then
+    lists = [(m.title() or type(m.parent()).__name__, m.actions()) for m in menus]
+    kept = len(lists)
+    for widget in window.findChildren(QWidget):
+        if widget.contextMenuPolicy() == Qt.ContextMenuPolicy.ActionsContextMenu:
+            lists.append((type(widget).__name__, widget.actions()))
+        if widget.contextMenuPolicy() == Qt.ContextMenuPolicy.CustomContextMenu:
+            widget.customContextMenuRequested.emit(QPoint())
+            popup = QApplication.activePopupWidget()
+            assert isinstance(popup, QMenu)
+            lists.append((type(widget).__name__, popup.actions()))
+            popup.close()
+    assert {"CurveList", "FileView", "RuleTree"} <= {name for name, _ in lists[kept:]}
     assert [name for name, actions in lists if max(groups_of(actions), default=0) > 7] == []
+    told = [action.text() for _, actions in lists[kept:] for action in actions]
+    assert [text for text in told if LOWER_CASE.search(text)] == []
     play = [action.text() for action in menu(window, "&Play").actions()]
     assert play[-4:] == ["Louder", "Quieter", "Slower", "Faster"]
+
+
+LOWER_CASE = re.compile(r" (?!(?:a|as|at|by|for|from|in|of|on|the|to|with)\b)[a-z]")
+"""A word of an entry that has no capital, though it is none of the short ones."""
 
 
 def groups_of(actions: list[QAction]) -> list[int]:

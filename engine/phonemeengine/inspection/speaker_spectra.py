@@ -148,6 +148,7 @@ def groups_of(
     by: Grouping,
     phonemes: Collection[Phoneme] = (),
     speakers: Collection[str] = (),
+    vowels: str = "vowels",
 ) -> Groups:
     """Return what is averaged of labelled recordings: the core frames, by speaker, phoneme or both.
 
@@ -155,8 +156,11 @@ def groups_of(
     ----------
     phonemes : those that count; all but silence where there are none.
     speakers : those that count, by `speaker_names`; all where there are none.
+    vowels : what the name of a group calls all vowels.
     """
     names, found = speaker_names(utterances), defaultdict(list)
+    few = "" if len(phonemes) > MOST_LISTED else " ".join(sorted(p.label for p in phonemes))
+    of = f" ({vowels if {*phonemes} == {*VOWELS} else few})" if few else ""
     for utterance in utterances:
         speaker, spans = names[utterance.voice], defaultdict(list)
         if speakers and speaker not in speakers:
@@ -164,7 +168,7 @@ def groups_of(
         for label in utterance.labels:
             wanted = label.phoneme in phonemes if phonemes else label.phoneme is not Phoneme.SILENCE
             if wanted and label.certainty == CORE:
-                spans[_group_name(speaker, label.phoneme, by, phonemes)].append((label.start, label.end))
+                spans[_group_name(speaker, label.phoneme, by, of)].append((label.start, label.end))
         for name, own in spans.items():
             found[name].append(SoundPart(utterance.path, utterance.channel, tuple(own)))
     return {name: tuple(found[name]) for name in sorted(found)}
@@ -213,13 +217,12 @@ def groups_in(
     return groups
 
 
-def _group_name(speaker: str, phoneme: Phoneme, by: Grouping, phonemes: Collection[Phoneme]) -> str:
+def _group_name(speaker: str, phoneme: Phoneme, by: Grouping, of: str) -> str:
     if by is Grouping.PHONEME:
         return phoneme.label
     if by is Grouping.SPEAKER_PHONEME:
         return f"{speaker} {phoneme.label}"
-    few = 0 < len(phonemes) <= MOST_LISTED
-    return " ".join((speaker, *sorted(p.label for p in phonemes))) if few else speaker
+    return speaker + of
 
 
 def _add_part(average: SpectrumAverage, part: SoundPart, settings: AnalysisSettings, progress: Progress) -> float:

@@ -2524,26 +2524,6 @@
             <translation>Datenbank ist beschädigt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
-            <source>Decide Earlier</source>
-            <translation>Früher entscheiden</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
-            <source>Decide earlier (Alt+Up, or drag)</source>
-            <translation>Früher entscheiden (Alt+Auf oder ziehen)</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
-            <source>Decide Later</source>
-            <translation>Später entscheiden</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
-            <source>Decide later (Alt+Down, or drag)</source>
-            <translation>Später entscheiden (Alt+Ab oder ziehen)</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>decides no frame of the loaded sound: earlier rules do</source>
             <translation>entscheidet keinen Frame des geladenen Klangs: frühere Regeln tun es</translation>
@@ -5915,6 +5895,16 @@
             <translation>Grenze verschieben</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
+            <source>Move Down</source>
+            <translation>Nach unten</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
+            <source>Move down, to decide later (Alt+Down, or drag)</source>
+            <translation>Nach unten, um später zu entscheiden (Alt+Ab oder ziehen)</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Move key by one picture</source>
             <translation>Keyframe um ein Bild verschieben</translation>
@@ -5958,6 +5948,16 @@
             <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
             <source>Move the light to the right (.)</source>
             <translation>Licht nach rechts bewegen (.)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
+            <source>Move Up</source>
+            <translation>Nach oben</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
+            <source>Move up, to decide earlier (Alt+Up, or drag)</source>
+            <translation>Nach oben, um früher zu entscheiden (Alt+Auf oder ziehen)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
@@ -11542,6 +11542,11 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
             <source>Vowels</source>
+            <translation>Vokale</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <source>vowels</source>
             <translation>Vokale</translation>
         </message>
         <message>

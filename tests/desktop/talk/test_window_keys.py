@@ -6,7 +6,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
@@ -63,6 +65,15 @@ def drag(lanes: KeyLanes, start: QPoint, end: QPoint, modifier: Qt.KeyboardModif
     QTest.mouseRelease(lanes, Qt.MouseButton.LeftButton, modifier, end)
 
 
+def choose(lanes: KeyLanes, place: QPoint, entry: str) -> None:
+    """Choose an entry of the menu of a curve."""
+    QApplication.sendEvent(lanes, QContextMenuEvent(QContextMenuEvent.Reason.Mouse, place, lanes.mapToGlobal(place)))
+    menu = QApplication.activePopupWidget()
+    assert isinstance(menu, QMenu)
+    next(action for action in menu.actions() if action.text() == entry).trigger()
+    menu.close()
+
+
 def test_a_dragged_key_moves_the_curve_and_the_head_and_is_one_change(desktop, window, lanes):
     time, place = point_in(lanes, "jawOpen")
     before = lanes.keys.curve_of("jawOpen")
@@ -105,10 +116,10 @@ def test_a_double_click_adds_a_key_and_a_marked_range_is_smoothed_raised_and_res
     drag(lanes, middle - QPoint(80, 0), middle + QPoint(80, 0), SHIFT)
     assert lanes.marked is not None
     assert lanes.marked.ordered.end > lanes.marked.ordered.start
-    for act, words in ((lanes.smooth, "smooth keys"), (lambda: lanes.raise_by(0.1), "raise keys")):
-        act()
+    for entry, words in (("Smooth Range", "smooth keys"), ("Raise Range by 0.1", "raise keys")):
+        choose(lanes, middle, entry)
         assert desktop.preset.undo_stack.undoText() == words
-    lanes.reset()
+    choose(lanes, middle, "Reset Range")
     assert not np.any(lanes.keys.layer.curve_of("mouthPucker").offsets)
 
 

@@ -44,8 +44,8 @@ class RuleEditor(QWidget):
         self.duplicate = tool_button(tr("Duplicate"), tr("Duplicate the current rule (Ctrl+D)"))
         self.delete = tool_button("×", tr("Delete the current rule or condition (Delete)"))
         self.up, self.down = (
-            tool_button("▲", tr("Decide earlier (Alt+Up, or drag)")),
-            tool_button("▼", tr("Decide later (Alt+Down, or drag)")),
+            tool_button("▲", tr("Move up, to decide earlier (Alt+Up, or drag)")),
+            tool_button("▼", tr("Move down, to decide later (Alt+Down, or drag)")),
         )
         self.from_takes = QPushButton(tr("Rules from Takes…"))
         self.from_takes.setToolTip(tr("Find a few rules in the loaded takes and recordings, on the Calibrate page"))
@@ -156,14 +156,14 @@ class RuleEditor(QWidget):
         if not self._rules.can_edit:
             return
         menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         for words, button in (
             (tr("Add Rule"), self.add),
             (tr("Add Condition…"), self.condition),
             (tr("Duplicate Rule"), self.duplicate),
             (tr("Delete"), self.delete),
-            (tr("Decide Earlier"), self.up),
-            (tr("Decide Later"), self.down),
+            (tr("Move Up"), self.up),
+            (tr("Move Down"), self.down),
         ):
             menu.addAction(words, button.click).setEnabled(button.isEnabled())
-        menu.exec(self.tree.viewport().mapToGlobal(at))
-        menu.deleteLater()
+        menu.popup(self.tree.viewport().mapToGlobal(at))

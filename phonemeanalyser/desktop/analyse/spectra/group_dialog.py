@@ -107,7 +107,7 @@ class GroupDialog(QDialog):
         is_all = len(chosen) == sum(button.isEnabled() for p, button in self.phonemes.items() if p != Phoneme.SILENCE)
         everything = is_all and not self.phonemes[Phoneme.SILENCE].isChecked()
         by = Grouping(self.by.currentData())
-        return groups_of(self._utterances, by, () if everything else chosen, ticked)
+        return groups_of(self._utterances, by, () if everything else chosen, ticked, tr("vowels"))
 
     def items(self) -> list[QListWidgetItem]:
         """Return the lines of the list of speakers."""

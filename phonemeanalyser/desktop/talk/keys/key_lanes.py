@@ -293,6 +293,7 @@ class KeyLanes(QWidget):
         if shape is None or self._shown(shape) is None:
             return
         menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         marked = self.marked is not None and self.marked.shape == shape
         menu.addAction(tr("Delete Key"), self.delete).setEnabled(self.selected is not None)
         menu.addSeparator()
@@ -300,8 +301,7 @@ class KeyLanes(QWidget):
         menu.addAction(tr("Raise Range by 0.1"), lambda: self.raise_by(COARSE)).setEnabled(marked)
         menu.addAction(tr("Lower Range by 0.1"), lambda: self.raise_by(-COARSE)).setEnabled(marked)
         menu.addAction(tr("Reset Range"), self.reset).setEnabled(marked)
-        menu.exec(event.globalPos())
-        menu.deleteLater()
+        menu.popup(event.globalPos())
 
     # -- edits --------------------------------------------------------------------------------------------
 
