@@ -5,11 +5,11 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtGui import QUndoCommand, QUndoStack
-from typing_extensions import override
+from PySide6.QtGui import QUndoStack
 
 from phonemeanalyser.desktop.engine_words import recogniser_title, sound_name
 from phonemeanalyser.desktop.language import tr, tr_amid, tr_noop
+from phonemeanalyser.desktop.session.undo import UndoableEdit
 from phonemeengine.errors import EngineError, RecogniserError, SettingsError
 from phonemeengine.features.variables import BUILT_IN_NAMES, Variable
 from phonemeengine.presets.controls import Control, ControlGroup, controls_of
@@ -61,37 +61,15 @@ class PresetDocument:
         return self.preset != self.saved
 
 
-class _Edit(QUndoCommand):
+class _Edit(UndoableEdit):
     """One change of the preset A or B; changes of the same thing in one run become one."""
 
-    def __init__(self, model: "PresetModel", before: Preset, after: Preset, what: str, run: int) -> None:
-        super().__init__(what)
-        self._run = run
+    def __init__(self, model: "PresetModel", after: Preset, what: str, run: int) -> None:
+        super().__init__(what, self._apply, model.preset, after, lambda: None, (what, run, model.letter))
         self._model, self.letter = model, model.letter
-        self._before = before
-        self._after = after
 
-    @override
-    def id(self) -> int:
-        return 1
-
-    @override
-    def mergeWith(self, other: QUndoCommand) -> bool:
-        if not isinstance(other, _Edit):
-            return False
-        if (other.text(), other._run, other.letter) != (self.text(), self._run, self.letter):
-            return False
-        self._after = other._after
-        self.setObsolete(self._after == self._before)  # a drag back to where it began is no change
-        return True
-
-    @override
-    def redo(self) -> None:
-        self._model.apply_edit(self.letter, self._after)
-
-    @override
-    def undo(self) -> None:
-        self._model.apply_edit(self.letter, self._before)
+    def _apply(self, preset: Preset) -> None:
+        self._model.apply_edit(self.letter, preset)
 
 
 class PresetModel(QObject):
@@ -296,7 +274,7 @@ class PresetModel(QObject):
             preset = self._marked(preset)
             if _recogniser_key(preset) != self._made[0]:
                 self._made = self._make(preset)
-            self.undo_stack.push(_Edit(self, self.preset, preset, what, self._run))
+            self.undo_stack.push(_Edit(self, preset, what, self._run))
             self.file_changed.emit()
 
     def revert(self) -> None:
