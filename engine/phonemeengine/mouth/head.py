@@ -29,7 +29,7 @@ TONGUE_PART = 4
 """The number of the tongue among the parts of a stored head."""
 TONGUE_MOVES: dict[str, tuple[float, float, float, float]] = {
     "tongueTipInterdental": (1.0, 0.3, -0.02, 0.02),
-    "tongueTipAlveolar": (1.0, 0.25, 0.06, 0.0),
+    "tongueTipAlveolar": (1.0, 0.25, 0.02, 0.01),
     "tongueFrontDorsalPalate": (0.75, 0.2, 0.12, 0.0),
     "tongueMidDorsalPalate": (0.5, 0.2, 0.12, 0.0),
     "tongueBackDorsalVelar": (0.2, 0.2, 0.12, 0.0),
