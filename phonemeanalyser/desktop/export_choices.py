@@ -292,7 +292,7 @@ class ExportChoices(QFormLayout):
             (self.width, tr("Width"), tr("Width of the picture, pixels")),
             (self.height, tr("Height"), tr("Height of the picture, pixels")),
             (self.view, tr("View"), tr("How much is in the picture")),
-            (self.ground, tr("Background"), tr("What is behind the head; films have no transparent background")),
+            (self.ground, tr("Background"), tr("What is behind the head; videos cannot be transparent")),
             (self.blinks, "", tr(BLINKS_TIP)),
             (self.head, "", tr(MOTION_TIP)),
             (self.keys, "", tr("Keys edited on the Talk page, or saved beside a recording as NAME.keys.toml")),

@@ -119,13 +119,13 @@ class ConditionDialog(QDialog):
     def _ask(self, draft: Draft) -> None:
         self._again.stop()
         if self._rules.try_out(draft):
-            self.gain.setText(tr("Trying it on the labelled sound…"))
+            self.gain.setText(tr("Testing it on the labelled recordings…"))
         else:
             self._again.start()  # the open file may still be analysed
             self.gain.setText(
                 tr(
-                    "No labelled sound is loaded that this variable was measured in. With labels, the best limit is "
-                    "proposed here, and what it gains."
+                    "No labelled recording with this variable is loaded. With labels, the best limit is proposed "
+                    "here, with its gain."
                 )
             )
 
@@ -188,7 +188,7 @@ def _words(conditions: tuple[Condition, ...]) -> str:
 def _in_words(before: Agreement, after: Agreement) -> str:
     """Return what changes: macro F1, and the phonemes that gain and lose the most."""
     if math.isnan(before.macro_f1):
-        return tr("The loaded sound has no labels that tell.")
+        return tr("The loaded recordings have no usable labels.")
     minutes = after.seconds / 60
     sentence = tr("Macro F1 {before:.1%} → {after:.1%} on everything loaded ({minutes:.1f} min).")
     lines = [sentence.format(before=before.macro_f1, after=after.macro_f1, minutes=minutes)]

@@ -132,7 +132,7 @@ class ScoreModel(QObject):
             return tr("No tier of the labels names phonemes only. Choose another one with Labels > Tiers.")
         if not self._n_labelled():
             return tr("No labels yet.")
-        return "" if self._frames().stop > self._frames().start else tr("Nothing that is seen is labelled.")
+        return "" if self._frames().stop > self._frames().start else tr("Nothing in view is labelled.")
 
     def choose(self, scope: Scope) -> None:
         """Have the figures of something else."""

@@ -135,7 +135,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
-            <source>1 rule needs a look (⚠).</source>
+            <source>1 rule needs attention (⚠).</source>
             <translation>1 Regel prüfen (⚠).</translation>
         </message>
         <message>
@@ -1176,7 +1176,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>always holds in the loaded sound: no later rule is reached</source>
-            <translation>gilt im geladenen Klang immer: keine spätere Regel wird erreicht</translation>
+            <translation>gilt im geladenen Ton immer: keine spätere Regel wird erreicht</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_layout.py" />
@@ -2090,7 +2090,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/keys/key_panel.py" />
-            <source>Choose the blend shapes whose curves are seen</source>
+            <source>Choose the blend shapes whose curves are shown</source>
             <translation>Blendshapes wählen, deren Kurven zu sehen sind</translation>
         </message>
         <message>
@@ -2366,7 +2366,7 @@
         <message>
             <location filename="../../../engine/phonemeengine/recognition/decoder.py" />
             <source>confusions lacks silence, with which every sound begins; add it</source>
-            <translation>confusions fehlt silence, womit jeder Klang beginnt; ergänzen</translation>
+            <translation>confusions fehlt silence, womit jede Aufnahme beginnt; ergänzen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/recognition/decoder.py" />
@@ -2526,7 +2526,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>decides no frame of the loaded sound: earlier rules do</source>
-            <translation>entscheidet keinen Frame des geladenen Klangs: frühere Regeln tun es</translation>
+            <translation>entscheidet keinen Frame des geladenen Tons: frühere Regeln tun es</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
@@ -3570,11 +3570,6 @@
             <translation>Folgen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/network_model.py" />
-            <source>Following the sound: {progress:.0%}</source>
-            <translation>Gesicht aus dem Klang: {progress:.0%}</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Formants (red dots, Burg's method, as in Praat)</source>
             <translation>Formanten (rote Punkte, nach Burg, wie in Praat)</translation>
@@ -3810,6 +3805,11 @@
             <translation>Kurven werden erzeugt…</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/network_model.py" />
+            <source>Generating the face from the sound: {progress:.0%}</source>
+            <translation>Gesicht wird aus dem Ton erzeugt: {progress:.0%}</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Georgian</source>
             <translation>Georgisch</translation>
@@ -4020,6 +4020,11 @@
             <translation>höchste Spitze</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
+            <source>Highest pitch of the voices that this set is for</source>
+            <translation>Höchste Grundfrequenz der Stimmen, für die dieser Satz gilt</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>History</source>
             <translation>Verlauf</translation>
@@ -4121,8 +4126,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
-            <source>How far this follows the voice: lively, loud and high speech lifts, relaxed speech lowers, each compared with the speaker’s usual way</source>
-            <translation>Wie weit dies der Stimme folgt: Lebhaftes, lautes und hohes Sprechen hebt, entspanntes senkt, jeweils verglichen mit der üblichen Sprechweise</translation>
+            <source>How far this follows the voice: lively, loud and high speech lifts, relaxed speech lowers, each compared with the speaker’s usual voice</source>
+            <translation>Wie weit dies der Stimme folgt: Lebhaftes, lautes und hohes Sprechen hebt, entspanntes senkt, jeweils verglichen mit der gewohnten Stimme des Sprechers</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
@@ -4166,8 +4171,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/feeling_lane.py" />
-            <source>How the voice sounds beside this speaker's own usual way, −1 to 1: activation (level, pitch, range, rate, tilt of the spectrum) and, far less certain, pleasantness. The band is the standard error; where it fills the lane, nothing is known: before the first voiced second, in pauses, in a whisper. It names no emotion and doesn't know what anyone feels: anger and joy both raise activation.</source>
-            <translation>Wie die Stimme neben der gewohnten Weise dieses Sprechers klingt, −1 bis 1: Aktivierung (Pegel, Tonhöhe, Umfang, Tempo, Neigung des Spektrums) und, weit weniger sicher, Angenehmheit. Das Band ist der Standardfehler; wo es die Spur füllt, ist nichts bekannt: vor der ersten stimmhaften Sekunde, in Pausen, beim Flüstern. Sie benennt kein Gefühl und weiß nicht, was jemand fühlt: Ärger und Freude erhöhen beide die Aktivierung.</translation>
+            <source>How the voice differs from the speaker's usual voice, −1 to 1: activation (level, pitch, range, rate, spectral tilt) and, far less certain, pleasantness. The band is the standard error; it fills the lane where nothing is known: before the first voiced second, in pauses, in a whisper. The lane identifies no emotion: anger and joy both raise activation.</source>
+            <translation>Wie sich die Stimme von der gewohnten Stimme des Sprechers unterscheidet, −1 bis 1: Aktivierung (Pegel, Tonhöhe, Umfang, Tempo, spektrale Neigung) und, weit weniger sicher, Angenehmheit. Das Band ist der Standardfehler; es füllt die Spur, wo nichts bekannt ist: vor der ersten stimmhaften Sekunde, in Pausen, beim Flüstern. Die Spur bestimmt keine Emotion: Ärger und Freude erhöhen beide die Aktivierung.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
@@ -5465,6 +5470,11 @@
             <translation>niedriger reagiert schneller</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
+            <source>Lowest pitch of the voices that this set is for</source>
+            <translation>Tiefste Grundfrequenz der Stimmen, für die dieser Satz gilt</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Lule Saami</source>
             <translation>Lulesamisch</translation>
@@ -5596,7 +5606,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
-            <source>Mean of all spectra since Play, Record or Clear; a change of the filters begins a new mean</source>
+            <source>Mean of all spectra since Play, Record or Clear; a change of the filters starts a new mean</source>
             <translation>Mittelwert aller Spektren seit Abspielen, Aufnehmen oder Leeren; eine Änderung der Filter beginnt einen neuen</translation>
         </message>
         <message>
@@ -5818,11 +5828,6 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Mix</source>
             <translation>Mix</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
-            <source>Model: {ear}</source>
-            <translation>Modell: {ear}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/status_line.py" />
@@ -6071,8 +6076,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
-            <source>Network that moves the face by the sound alone, also live; `phonemeanalyser performance learn` makes one of recorded faces</source>
-            <translation>Netz, das das Gesicht nach dem Klang allein bewegt, auch live; `phonemeanalyser performance learn` erstellt eines aus aufgezeichneten Gesichtern</translation>
+            <source>Network that moves the face from the sound alone, also live; `phonemeanalyser performance learn` makes one of recorded faces</source>
+            <translation>Netz, das das Gesicht allein aus dem Ton bewegt, auch live; `phonemeanalyser performance learn` erstellt eines aus aufgezeichneten Gesichtern</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -6097,7 +6102,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>never holds in the loaded sound</source>
-            <translation>gilt im geladenen Klang nie</translation>
+            <translation>gilt im geladenen Ton nie</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_tree.py" />
@@ -6291,8 +6296,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/rule_dialogs.py" />
-            <source>No labelled sound is loaded that this variable was measured in. With labels, the best limit is proposed here, and what it gains.</source>
-            <translation>Es ist kein beschrifteter Klang geladen, in dem diese Variable gemessen ist. Mit Beschriftungen stehen hier die beste Grenze und ihr Gewinn.</translation>
+            <source>No labelled recording with this variable is loaded. With labels, the best limit is proposed here, with its gain.</source>
+            <translation>Keine beschriftete Aufnahme mit dieser Variable geladen. Mit Beschriftungen stehen hier die beste Grenze und ihr Gewinn.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/score.py" />
@@ -6585,6 +6590,11 @@
             <translation>Auf {host}:{port} lässt sich nichts empfangen ({error}); anderen Port wählen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/session/score.py" />
+            <source>Nothing in view is labelled.</source>
+            <translation>Der sichtbare Teil ist nicht beschriftet.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>Nothing is selected. Shift+drag over the file to select a segment.</source>
             <translation>Nichts ist ausgewählt. Mit Umschalt über die Datei ziehen, um einen Abschnitt auszuwählen.</translation>
@@ -6603,11 +6613,6 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>nothing that is loaded is clearly labelled {phonemes}; load recordings that have it</source>
             <translation>Nichts Geladenes ist eindeutig als {phonemes} beschriftet; Aufnahmen laden, die es enthalten</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/session/score.py" />
-            <source>Nothing that is seen is labelled.</source>
-            <translation>Der sichtbare Teil ist nicht beschriftet.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
@@ -6655,6 +6660,11 @@
             <translation>Zahlen einer Datei…</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
+            <source>Numbers to edit: those of the preset, or those of a set for a range of pitch</source>
+            <translation>Zu bearbeitende Zahlen: die des Presets oder die eines Satzes für einen Grundfrequenzbereich</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
             <source>of 1 speaker</source>
             <translation>von 1 Sprecher</translation>
@@ -6687,7 +6697,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
             <source>On a {left_out} that was held out they are worse than the current preset. Load more data.</source>
-            <translation>Zurückgehalten ({left_out}) gemessen sind sie schlechter als das aktuelle Preset. Mehr Daten laden.</translation>
+            <translation>An zurückgehaltenen Daten ({left_out}) gemessen sind sie schlechter als das aktuelle Preset. Mehr Daten laden.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
@@ -7848,6 +7858,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
             <source>Reduction</source>
             <translation>Minderung</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Reduction of expressions by speech</source>
+            <translation>Minderung des Ausdrucks durch Sprache</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -9107,7 +9122,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Sound alone (network)</source>
-            <translation>Klang allein (Netz)</translation>
+            <translation>Nur Ton (Netz)</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/slowed_output.py" />
@@ -9635,6 +9650,11 @@
             <translation>Test</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/rule_dialogs.py" />
+            <source>Testing it on the labelled recordings…</source>
+            <translation>Wird an den beschrifteten Aufnahmen getestet…</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/session/sources.py" />
             <source>Text</source>
             <translation>Text</translation>
@@ -9976,8 +9996,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/rule_dialogs.py" />
-            <source>The loaded sound has no labels that tell.</source>
-            <translation>Der geladene Klang hat keine brauchbaren Beschriftungen.</translation>
+            <source>The loaded recordings have no usable labels.</source>
+            <translation>Die geladenen Aufnahmen haben keine brauchbaren Beschriftungen.</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/dsp/filters.py" />
@@ -10183,16 +10203,6 @@
             <location filename="../../../engine/phonemeengine/labels/utterance.py" />
             <source>the phones of an utterance must lie within its sound of {duration} s, found {start}..{end} s; correct the times</source>
             <translation>Die Laute einer Äußerung müssen innerhalb ihrer {duration} s liegen, gefunden {start}..{end} s; Zeiten korrigieren</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
-            <source>The pitch set serves voices from this pitch</source>
-            <translation>Der Grundfrequenz-Satz gilt ab dieser Grundfrequenz</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
-            <source>The pitch set serves voices up to here</source>
-            <translation>Der Grundfrequenz-Satz gilt bis zu dieser Grundfrequenz</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/recognition/phoneme_data.py" />
@@ -10491,8 +10501,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
-            <source>The text was changed: these words are from before. Align again.</source>
-            <translation>Der Text wurde geändert: Diese Wörter sind von vorher. Neu ausrichten.</translation>
+            <source>The text has changed since these words were aligned. Align again.</source>
+            <translation>Der Text wurde seit dem Ausrichten dieser Wörter geändert. Neu ausrichten.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/rendering/textures.py" />
@@ -11150,11 +11160,6 @@
             <translation>{name} testen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/rule_dialogs.py" />
-            <source>Trying it on the labelled sound…</source>
-            <translation>Wird am beschrifteten Klang erprobt…</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Turkish</source>
             <translation>Türkisch</translation>
@@ -11631,8 +11636,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
-            <source>What is behind the head; films have no transparent background</source>
-            <translation>Was hinter dem Kopf ist; Filme haben keinen transparenten Hintergrund</translation>
+            <source>What is behind the head; videos cannot be transparent</source>
+            <translation>Was hinter dem Kopf ist; Videos können nicht transparent sein</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -11647,17 +11652,12 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>What moves the mouth: recorded faces and pinyin letters where the words are known, a network by any sound. Automatic: recorded faces or a network if one is open, pinyin letters for Chinese, else phonemes</source>
-            <translation>Was den Mund steuert: aufgezeichnete Gesichter und Pinyin-Buchstaben, wo die Wörter bekannt sind, ein Netz bei jedem Klang. Automatisch: aufgezeichnete Gesichter oder ein Netz, wenn geöffnet, Pinyin-Buchstaben für Chinesisch, sonst Phoneme</translation>
+            <translation>Was den Mund steuert: aufgezeichnete Gesichter und Pinyin-Buchstaben, wo die Wörter bekannt sind, ein Netz bei jedem Ton. Automatisch: aufgezeichnete Gesichter oder ein Netz, wenn geöffnet, Pinyin-Buchstaben für Chinesisch, sonst Phoneme</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
             <source>What rules may compare: frequency bands, with filters that suit them, or the preset's variables</source>
             <translation>Was Regeln vergleichen dürfen: Frequenzbänder, mit passenden Filtern, oder die Variablen des Presets</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
-            <source>What speech takes from expressions</source>
-            <translation>Was Sprache dem Ausdruck nimmt</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
@@ -11763,11 +11763,6 @@
             <location filename="../../../phonemeanalyser/desktop/session/time_view.py" />
             <source>Whole recording</source>
             <translation>Ganze Aufnahme</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
-            <source>Whose numbers are edited: those of the preset, or those of a set for a range of pitch</source>
-            <translation>Wessen Zahlen bearbeitet werden: die des Presets oder die eines Satzes für einen Grundfrequenzbereich</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
@@ -12647,7 +12642,7 @@
         <message>
             <location filename="../../../engine/phonemeengine/conversion/driving.py" />
             <source>{name}: a network moves a face by a sound, and this has none; have a voice say it, or choose another --text-driver</source>
-            <translation>{name}: Ein Netz bewegt ein Gesicht nach einem Klang, und hier gibt es keinen; von einer Stimme sprechen lassen oder ein anderes --text-driver wählen</translation>
+            <translation>{name}: Ein Netz bewegt ein Gesicht nach dem Ton, und hier gibt es keinen; von einer Stimme sprechen lassen oder ein anderes --text-driver wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/calibration/takes/take_list.py" />
@@ -13256,7 +13251,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
-            <source>{n} rules need a look (⚠).</source>
+            <source>{n} rules need attention (⚠).</source>
             <translation>{n} Regeln prüfen (⚠).</translation>
         </message>
         <message>
@@ -13837,12 +13832,12 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>{why}; until then the small network recognises live sound</source>
-            <translation>{why}; bis dahin erkennt das kleine Netz, was das Mikrofon hört</translation>
+            <translation>{why}; bis dahin erkennt das kleine Netz den Live-Ton</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>{why}; until then the small network recognises live sound, and it alone learned the voice.</source>
-            <translation>{why}; bis dahin erkennt das kleine Netz, was das Mikrofon hört, und nur dieses hat die Stimme gelernt.</translation>
+            <translation>{why}; bis dahin erkennt das kleine Netz den Live-Ton, und nur dieses hat die Stimme gelernt.</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/expression/felt.py" />

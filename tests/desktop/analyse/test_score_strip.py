@@ -203,7 +203,7 @@ def test_without_labels_it_says_how_to_get_them(desktop, window, strip, qtbot, t
     assert "macro F1 is of these: a." in strip.values["A", "macro_f1"].toolTip()
     desktop.session.view.show(TimeSpan(1.0, 2.0))
     choose(desktop, qtbot, Scope.SEEN)
-    assert strip.why_not.text() == "Nothing that is seen is labelled."
+    assert strip.why_not.text() == "Nothing in view is labelled."
     press(window, Qt.Key.Key_2, Qt.KeyboardModifier.ControlModifier)
     desktop.session.leave_sound()
     settled(desktop, qtbot)

@@ -26,10 +26,10 @@ PARTS = ((0, tr_noop("Activation")), (2, tr_noop("Pleasantness")))
 def feeling_tip() -> str:
     """Return what the lane shows, and what it doesn't."""
     return tr(
-        "How the voice sounds beside this speaker's own usual way, −1 to 1: activation (level, pitch, range, rate, "
-        "tilt of the spectrum) and, far less certain, pleasantness. The band is the standard error; where it fills "
-        "the lane, nothing is known: before the first voiced second, in pauses, in a whisper. It names no emotion "
-        "and doesn't know what anyone feels: anger and joy both raise activation."
+        "How the voice differs from the speaker's usual voice, −1 to 1: activation (level, pitch, range, rate, "
+        "spectral tilt) and, far less certain, pleasantness. The band is the standard error; it fills the lane where "
+        "nothing is known: before the first voiced second, in pauses, in a whisper. The lane identifies no emotion: "
+        "anger and joy both raise activation."
     )
 
 

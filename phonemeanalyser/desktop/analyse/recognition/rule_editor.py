@@ -129,7 +129,7 @@ class RuleEditor(QWidget):
         # What only does not happen in the sound that is loaded is said beside its rule, and no alarm.
         faults = [f"{k + 1} {tr_engine(fault)}" for k, fault in enumerate(self._rules.faults) if fault in WRONG]
         self.faults.setVisible(bool(faults))
-        words = tr_count("1 rule needs a look (⚠).", "{n} rules need a look (⚠).", len(faults))
+        words = tr_count("1 rule needs attention (⚠).", "{n} rules need attention (⚠).", len(faults))
         self.faults.setText(words if faults else "")
         self.faults.setToolTip("\n".join(faults))
         self.tree.show_faults()

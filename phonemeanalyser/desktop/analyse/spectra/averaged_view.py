@@ -22,7 +22,7 @@ from phonemeengine.errors import CurveError
 from phonemeengine.inspection.averaged_spectrum import AveragedSpectrum, check_comparable, distance_of
 from phonemeengine.settings import BIN_WIDTH
 
-TIP = tr_noop("Mean of all spectra since Play, Record or Clear; a change of the filters begins a new mean")
+TIP = tr_noop("Mean of all spectra since Play, Record or Clear; a change of the filters starts a new mean")
 EMPTY = tr_noop("No data yet: press Play, or add an averaged spectrum to the table")
 MOST_NAMED = 8
 """Curves in the legend at most; the table lists all."""

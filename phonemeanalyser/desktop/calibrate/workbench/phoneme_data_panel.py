@@ -65,13 +65,13 @@ class PhonemeDataPanel(QWidget):
         self._theme = theme
         self._lines: list[tuple[NumberRow, int]] = []
         self._rows: tuple[NumberRow, ...] | None = None
-        tip = tr("Whose numbers are edited: those of the preset, or those of a set for a range of pitch")
+        tip = tr("Numbers to edit: those of the preset, or those of a set for a range of pitch")
         self.sets = choice((), tip, tip)
         self.low, self.high = (
             named(NumberField(LOWEST, HIGHEST, unit=" Hz"), tip, tip)
             for tip in (
-                tr("The pitch set serves voices from this pitch"),
-                tr("The pitch set serves voices up to here"),
+                tr("Lowest pitch of the voices that this set is for"),
+                tr("Highest pitch of the voices that this set is for"),
             )
         )
         self.add = tool_button(

@@ -179,7 +179,7 @@ class WorkbenchView(QWidget):
         ratio = f" ({agreement.changes_per_s / of_labels:.1f} ×)" if of_labels > 0 else ""
         of_sounds = "" if n_classes == len(SCORED_PHONEMES) else f" ({tr('{n} of 10 phonemes').format(n=n_classes)})"
         live = for_files(self._calibration.preset.in_force, ModelKind.REAL_TIME)
-        model = tr("Model: {ear}").format(ear=tr_engine(recogniser_title(model_in_words(live))))
+        model = tr("Model: {model}").format(model=tr_engine(recogniser_title(model_in_words(live))))
         of_what = f"{_length(agreement.seconds, confusion.n_recordings)}   ·   {model}"
         self.figures.setText(
             f"{tr('Accuracy')} <b>{figure_in_words('accuracy', agreement.accuracy)}</b> &nbsp; "

@@ -68,7 +68,9 @@ class NetworkModel(OpenedFiles):
         if self._opening.busy:
             return tr("Opening face network…")
         return (
-            tr("Following the sound: {progress:.0%}").format(progress=self._work.progress) if self._work.busy else ""
+            tr("Generating the face from the sound: {progress:.0%}").format(progress=self._work.progress)
+            if self._work.busy
+            else ""
         )
 
     def follow(self, sound: NetworkSound | None, *, wanted: bool) -> None:

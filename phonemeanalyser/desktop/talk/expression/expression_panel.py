@@ -78,7 +78,7 @@ class ExpressionPanel(QWidget):
             percent.setToolTip(self.sliders[name].toolTip())
         tip = tr(
             "How far this follows the voice: lively, loud and high speech lifts, relaxed speech lowers, each "
-            "compared with the speaker’s usual way"
+            "compared with the speaker’s usual voice"
         )
         self.following = {part: slider_of_percent(tr(words), tip) for part, words in FOLLOWING.items()}
         self._amounts = {part: label(width=PERCENT_WIDTH) for part in FOLLOWING}

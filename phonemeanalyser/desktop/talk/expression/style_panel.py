@@ -44,7 +44,7 @@ TABLES = {
     "filters": tr_noop("Smoothing of recorded faces"),
     "gestures": tr_noop("Gestures of the head"),
     "inhibition": tr_noop("Onset and release of speech"),
-    "reductions": tr_noop("What speech takes from expressions"),
+    "reductions": tr_noop("Reduction of expressions by speech"),
 }
 """The tables of a style, by their names in its file."""
 SHIPPED = {

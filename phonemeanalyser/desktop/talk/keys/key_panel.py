@@ -30,7 +30,7 @@ class KeyPanel(QWidget):
         self._talking, self._keys = talking, talking.keys
         self.lanes = KeyLanes(talking.keys, talking.text, theme)
         self.summary = ElidedLabel()
-        self.shapes = spoken_button(tr("Blend shapes ▾"), tr("Choose the blend shapes whose curves are seen"))
+        self.shapes = spoken_button(tr("Blend shapes ▾"), tr("Choose the blend shapes whose curves are shown"))
         self._menu = QMenu(self)
         open_without_arrow(self.shapes, self._menu)
         self.save = spoken_button(

@@ -94,7 +94,7 @@ class VoicePanel(QFrame):
             (),
             tr("Face network"),
             tr(
-                "Network that moves the face by the sound alone, also live; `phonemeanalyser performance learn` "
+                "Network that moves the face from the sound alone, also live; `phonemeanalyser performance learn` "
                 "makes one of recorded faces"
             ),
         )
