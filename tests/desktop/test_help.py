@@ -92,7 +92,8 @@ def test_the_manual_of_a_german_window_has_german_pages(german, qtbot):
     qtbot.addWidget(dialog)
     assert dialog.pages.currentItem().text() == "Das Fenster"
     for link, page in (
-        ("../presets.md#phonemedata-files", "Preset files"),
+        ("presets.md#phonemedata-dateien", "Preset-Dateien"),
+        ("../blender.md#mouth-table", "In Blender"),
         ("manual.md#die-ganze-datei", "Das Fenster"),
     ):
         dialog.text.anchorClicked.emit(QUrl(link))
