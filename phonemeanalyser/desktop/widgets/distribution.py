@@ -396,7 +396,7 @@ def shortest(value: float, digits: int) -> str:
 
 
 def _ticks(distribution: Distribution, most: int) -> list[float]:
-    """Return round values along the axis, at most about so many."""
+    """Return round values along the axis, `most` or fewer, or one more."""
     low, high, most = float(distribution.edges[0]), float(distribution.edges[-1]), max(2, most)
     if distribution.logarithmic:
         first, last = math.ceil(math.log10(low)), math.floor(math.log10(high))
