@@ -389,7 +389,7 @@ def short(value: float) -> str:
 
 
 def shortest(value: float, digits: int) -> str:
-    """Write a number with so many digits that count in as little room as there is; in two, small ones have one."""
+    """Write a number with `digits` significant digits, as short as it can be; of two, small ones keep one."""
     if 0 < abs(value) < 0.001:
         return f"{value:.{digits - 1 if digits > 2 else 0}e}".replace("e-0", "e-")
     return short(value) if abs(value) >= 100 else f"{value:.{digits}g}"
