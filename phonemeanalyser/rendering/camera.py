@@ -60,7 +60,7 @@ def rotation_of(pose: HeadPose) -> Float32Array:
 
 MOUTH_HEIGHT, MOUTH_SHARE = 0.25, 0.36
 """Where a mouth is in a head with its neck, from below, and how much of the head is seen around it, as shares."""
-BUST_SHARE, BUST_DOWN = 1.5, 0.22
+BUST_SHARE, BUST_DOWN = 1.3, 0.17
 """How much more than the head is seen of a bust, and how far its middle is below the head's, in its heights."""
 FIELD_OF_VIEW = math.radians(24)
 """The angle between the upper and the lower edge of the picture; narrower in pictures that are taller than wide."""

@@ -183,6 +183,7 @@ def test_mouth_face_and_bust_show_less_and_more(head: MorphMesh, offscreen: Hire
         shown.append(np.argwhere(seen(picture))[:, 0].min())
     assert teeth[0] > 5 * teeth[1] > 5 * teeth[2]
     assert shown[0] == 0 < shown[1]
+    assert seen(picture)[-1].any()  # the lower edge of the bust is below the picture
 
 
 def test_pictures_may_change_their_size(head: MorphMesh, offscreen: Hire):
