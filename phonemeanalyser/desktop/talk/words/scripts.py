@@ -10,6 +10,7 @@ from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice
 from phonemeengine.alignment.align import align_analyses, align_word
 from phonemeengine.analyser import Analysis, analyse_file
 from phonemeengine.audio.files import SoundReader
+from phonemeengine.conversion.speech_files import SILENCE
 from phonemeengine.errors import AudioError, EngineError, VoiceError
 from phonemeengine.execution import Progress, report_progress
 from phonemeengine.labels import textgrid
@@ -184,7 +185,7 @@ def write_speech(sentences: Iterable[SpokenSentence], language: str, path: Path)
                 path=printable_name(path), reason_of=reason_of(error)
             )
         ) from error
-    write_text(format_utterance(said), labels)
+    write_text(format_utterance(said, SILENCE), labels)  # as the command `speak` writes them
 
 
 def words_beside(sound: Path, duration: float) -> FoundWords:
