@@ -229,7 +229,7 @@ class HeadView(QWidget):
 
     def _lay_out(self, theme: Theme) -> None:
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setMinimumSize(160, 110)  # so that a window of 1024x700 has room for two heads and keys
+        self.setMinimumSize(160, 90)  # so that a window of 1024x700 has room for two heads and keys
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setToolTip(tr(HINT))
         self.setAccessibleName(tr("Head"))
