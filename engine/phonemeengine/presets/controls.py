@@ -212,7 +212,7 @@ def _filter_control(name: str) -> Control:
     return _parameter_control(
         name,
         hint=f"PhonemeData name: {name}" + (", in bins there, in Hz here" if is_bins else ""),
-        read=lambda preset: float(getattr(preset.phoneme_data, name)) * unit,
+        read=lambda preset: float(getattr(preset.settings, name)),
         write=lambda preset, value: with_number(preset, name, value / unit),
         live=lambda _preset, _moment: None,
     )
@@ -234,7 +234,7 @@ def _threshold_control(name: str) -> Control:
         low=0.0,
         high=high,
         decimals=decimals,
-        read=lambda preset: float(getattr(preset.phoneme_data, name)),
+        read=lambda preset: float(getattr(preset.thresholds, name)),
         write=lambda preset, value: with_number(preset, name, value),
         live=lambda _preset, moment: moment.values.get(variable),
         sign=condition.sign,

@@ -172,7 +172,7 @@ def test_each_of_the_21_numbers_can_be_set(field: object, model: PresetModel) ->
     unit = BIN_WIDTH if name.startswith("high_pass") else 1.0
     model.tune(name, 0.625 * unit)
     assert getattr(model.preset.phoneme_data, name) == pytest.approx(0.625)
-    assert model.saved_value(name) == getattr(load_preset(THESIS_PRESET).phoneme_data, name) * unit
+    assert model.saved_value(name) == pytest.approx(getattr(load_preset(THESIS_PRESET).phoneme_data, name) * unit)
 
 
 @pytest.mark.parametrize(("low", "high"), [("high_pass_start", "high_pass_end"), ("low_pass_start", "low_pass_end")])

@@ -229,13 +229,12 @@ class ThresholdView(ScrolledDown):
         if self._shown != self._preset.control_groups:
             self._exchange(self._preset.control_groups)
         preset = self._preset.preset
-        for name, row in self.rows.items():
-            value = row.control.read(preset)
-            row.slider.set_value(value)
-            with silent(row.number):
+        with silent(*(row.number for row in self.rows.values())):
+            for name, row in self.rows.items():
+                value, saved = row.control.read(preset), self._preset.saved_value(name)
+                row.slider.set_value(value)
                 row.number.setValue(value)
-            saved = self._preset.saved_value(name)
-            row.reset.setVisible(saved is not None and value != saved)
+                row.reset.setVisible(saved is not None and value != saved)
 
     def _exchange(self, groups: tuple[ControlGroup, ...]) -> None:
         """Show other controls; those before are kept for X, since it takes long to make hundreds of widgets."""
