@@ -48,6 +48,22 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             item.add_marker(pytest.mark.qt_log_ignore("This plugin does not support"))
 
 
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_call(item: pytest.Item) -> Iterator[None]:
+    """Draw the window that is lent while the test itself runs, and not at each step of its fixtures."""
+    lender: WindowLender = item.funcargs["lender"]  # type: ignore[attr-defined]
+    lender.draw(True)
+    return (yield)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_teardown(item: pytest.Item) -> Iterator[None]:
+    """Draw no longer what fixtures take away."""
+    if "lender" in item.funcargs:  # type: ignore[attr-defined]
+        item.funcargs["lender"].draw(False)  # type: ignore[attr-defined]
+    return (yield)
+
+
 @pytest.fixture
 def qtbot(qtbot: QtBot) -> QtBot:
     """A hand that waits for an event as long as the program does not hang, however busy the machine is."""

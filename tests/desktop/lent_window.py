@@ -61,6 +61,8 @@ SEEN: dict[type, tuple[str, ...]] = {
     QAction: ("text", "isChecked", "isEnabled", "isVisible"),
 }
 """What tells, of each kind of things, that somebody changed it."""
+APART = QMenu, QLineEdit, HeadView
+"""What they hold is no part of the looks: what a menu hides until it was opened once, what fades, and a head."""
 SIZE = 1280, 800
 LAYOUT = {"geometry", "layout", "layout_width", "layout_stacked", "rows", "spectra"}
 
@@ -92,6 +94,13 @@ class WindowLender:
         self._first = _choices(settings)
         self._desktop: Desktop | None = None
         self._whole = whole
+        self._draws = False
+
+    def draw(self, on: bool) -> None:
+        """Draw the window, or do not: what fixtures make would be drawn again and again before a test begins."""
+        self._draws = on
+        if self._desktop is not None:
+            draw(self._desktop.window, on)
 
     def lend(self) -> Desktop:
         """Return a program that is as one that was just begun, but that its window is seen already.
@@ -106,8 +115,8 @@ class WindowLender:
             app = QApplication.instance()
             use_language(app, "en")
             apply_theme(app, lent.window.theme)  # both may be those of another window
-            for _ in range(2):  # what the first time hides leaves its room to others with the events of the second
-                self._tidy(lent)
+            for whole in (False, True):  # what the first hides leaves its room to others with the second's events
+                self._tidy(lent, whole=whole)
                 if _looks(lent) == self._clean:
                     return lent
         self.close()
@@ -154,7 +163,8 @@ class WindowLender:
         self._clean = _looks(desktop)  # no test has changed anything yet
         return desktop
 
-    def _tidy(self, desktop: Desktop) -> None:
+    def _tidy(self, desktop: Desktop, *, whole: bool = True) -> None:
+        """Have all as it was at first; a preset that is as in its file is read again, and shown, only if `whole`."""
         window = desktop.window
         window.setUpdatesEnabled(False)  # it would be painted ten times
         _show(window)
@@ -162,7 +172,7 @@ class WindowLender:
         self.studio.tidy()
         desktop.files.show, desktop.session.playback.open_device = self._ways
         desktop.demo = window.status.without_look_ahead = None
-        _forget_edits(desktop)
+        _forget_edits(desktop, whole=whole)
         _leave_sound(desktop.session)
         _show_usual(window, self._checked)
         if window.saveState() != self._layout:
@@ -181,9 +191,7 @@ class WindowLender:
         window.analysis.variable.phonemes.clear()  # it tells sooner or later that nothing is measured
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         _choose(self.settings, self._first)
-        window.setUpdatesEnabled(True)
-        # Qt drops a request to paint while updates are off, and asks no second time for what is marked already.
-        QApplication.postEvent(window, QEvent(QEvent.Type.UpdateRequest))
+        draw(window, self._draws)
 
     def _leave_takes(self, desktop: Desktop) -> None:
         """Have no takes and no recordings, in the folder where the program has takes unless another one is chosen."""
@@ -248,6 +256,13 @@ def _choose(settings: QSettings, choices: dict[str, object]) -> None:
         settings.setValue(name, value)
 
 
+def draw(window: QWidget, on: bool) -> None:
+    """Have a window drawn, or not."""
+    window.setUpdatesEnabled(on)
+    if on:  # Qt drops a request to paint while updates are off, and asks no second time for what is marked already
+        QApplication.postEvent(window, QEvent(QEvent.Type.UpdateRequest))
+
+
 def close_popups() -> None:
     """Close what a test left open over all windows: it gets their keys, and no window becomes active meanwhile."""
     while (popup := QApplication.activePopupWidget()) is not None:
@@ -279,11 +294,13 @@ def _leave_sound(session: Session) -> None:
     session.clear()
 
 
-def _forget_edits(desktop: Desktop) -> None:
+def _forget_edits(desktop: Desktop, *, whole: bool) -> None:
     """Have the rules of the thesis in use, as they are in their file."""
-    desktop.preset.load(THESIS_PRESET)  # first, since the recogniser of another preset may be gone
-    desktop.preset.set_bypassed(False)
-    desktop.preset.try_out(None)
+    preset = desktop.preset
+    if whole or preset.path != THESIS_PRESET or preset.has_unsaved_changes or preset.undo_stack.count():
+        preset.load(THESIS_PRESET)  # first, since the recogniser of another preset may be gone
+    preset.set_bypassed(False)
+    preset.try_out(None)
     desktop.session.curves.take_away(desktop.session.curves.curves)
 
 
@@ -332,12 +349,12 @@ def _show_from_the_beginning(window: MainWindow) -> None:
 def _looks(desktop: Desktop) -> Counter[object]:
     """Return all by which a test may find that another was there before."""
     window, session, preset = desktop.window, desktop.session, desktop.preset
-    found: Counter[object] = Counter()
-    for child in (window, *window.findChildren(QWidget), *window.findChildren(QAction)):
-        apart = isinstance(child, QWidget) and isinstance(child.parent(), QMenu | QLineEdit | HeadView)
-        if not apart and not child.objectName().startswith("qt_"):
-            # none of Qt's own, what a menu hides until it was opened once, what fades, and the picture of a head
-            found[_looks_of(child)] += 1
+    found: Counter[object] = Counter(
+        _looks_of(child)
+        for child in (window, *window.findChildren(QWidget), *window.findChildren(QAction))
+        if not child.objectName().startswith("qt_")
+        and not (child.isWidgetType() and _is(type(child.parent()), APART))
+    )
     for view in window.findChildren(pg.GraphicsView):
         for item in view.scene().items():
             region = item.getRegion() if isinstance(item, pg.LinearRegionItem) else ()
@@ -352,13 +369,18 @@ def _looks(desktop: Desktop) -> Counter[object]:
     return found
 
 
-def _looks_of(child: QWidget | QAction) -> tuple[str, ...]:
+def _looks_of(child: QWidget | QAction) -> tuple[object, ...]:
     """Return what is seen of something; what is hidden, or off, gets its text or its choice when it is shown."""
     kind = type(child)
     names, rests_where = _names_of(kind)
     seen = [getattr(child, name)() for name in (SEEN[QWidget] if rests_where(child) else names)]
-    kept = sorted((name, repr(v)) for name, v in vars(child).items() if isinstance(v, (bool, str, Enum, Path)))
-    return kind.__name__, child.objectName(), repr(seen), repr(kept)
+    kept = frozenset(
+        (name, value) for name, value in vars(child).items() if _is(type(value), (bool, str, Enum, Path))
+    )
+    return kind, child.objectName(), repr(seen), kept
+
+
+_is = cache(issubclass)  # Qt's objects answer `isinstance` slowly
 
 
 @cache
