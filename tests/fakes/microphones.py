@@ -43,7 +43,8 @@ class HandDrivenMicrophone:
         self.begun = 1000.0
         self.fault: Exception | None = None
         self.closed = threading.Event()
-        self._given: queue.SimpleQueue[NDArray[np.float32]] = queue.SimpleQueue()
+        self._given: queue.Queue[NDArray[np.float32]] = queue.Queue()
+        self._in_hand = False
 
     def give(self, samples: NDArray[np.float32], n: int = HOP) -> None:
         """Have it hear samples, shape (m,) or (m, n_channels), in blocks of `n`."""
@@ -54,17 +55,22 @@ class HandDrivenMicrophone:
 
     @property
     def n_waiting(self) -> int:
-        """How many blocks it was given and has not heard yet."""
-        return self._given.qsize()
+        """How many blocks it was given with which who reads is not done yet."""
+        return self._given.unfinished_tasks
 
     def read(self, timeout: float) -> NDArray[np.float32]:
-        """Give the next block."""
+        """Give the next block; who asks for it is done with the last one."""
+        if self._in_hand:
+            self._given.task_done()
+        self._in_hand = False
         if self.fault is not None:
             raise self.fault
         try:
-            return self._given.get(timeout=min(timeout, 0.01))
+            block = self._given.get(timeout=min(timeout, 0.01))
         except queue.Empty:
             return np.zeros((0, self.n_channels), np.float32)
+        self._in_hand = True
+        return block
 
     def time_of(self, sample: float) -> float:
         """Say when a sample was captured."""

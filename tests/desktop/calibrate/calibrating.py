@@ -97,9 +97,10 @@ class Calibrator:
         self.until(lambda: not any(room.busy for room in rooms) and not any(timer.isActive() for timer in timers))
 
     def listen(self) -> None:
-        """Have the microphone heard."""
+        """Have the microphone heard, and nothing of the room left that would begin a take."""
         self.model.listen()
         self.until(lambda: self.booth.studio.model.listening, silently=False)
+        self.until(lambda: not self.mic.n_waiting)
 
     def say(self, key: Qt.Key, sound: NDArray[np.float32]) -> None:
         """Hold a key while something is heard."""

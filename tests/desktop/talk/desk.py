@@ -14,6 +14,7 @@ from phonemeanalyser.desktop.talk.words.voice_model import VoiceModel
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.labels.utterance import Utterance
 from tests.desktop.hands import press, shown, wav
+from tests.desktop.lent_window import draw
 from tests.desktop.stage import AN_A, Stage
 from tests.desktop.talk.voices import INSTALLED, FakeAligner, FakeVoice, word
 from tests.fakes.outputs import Outputs
@@ -81,5 +82,6 @@ def talking(desktop: Desktop, qtbot: QtBot, folder: Path) -> MainWindow:
 
 
 def drawn(head: HeadView, qtbot: QtBot) -> None:
-    """Wait until a head is drawn."""
+    """Wait until a head is drawn, also in a fixture."""
+    draw(head.window(), True)
     qtbot.waitUntil(lambda: head.surface is not None and head.surface.n_drawn > 0)
