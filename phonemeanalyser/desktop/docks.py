@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar, QWidget
 from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.widgets.builders import Scrolled, column
+from phonemeanalyser.desktop.widgets.builders import Scrolled, column, leave_wheel
 
 _MOVES = {QEvent.Type.Resize, QEvent.Type.Move, QEvent.Type.Show, QEvent.Type.Hide, QEvent.Type.LayoutRequest}
 
@@ -147,6 +147,7 @@ class Docks(QObject):
             tabs.setObjectName("DockTabs")
             tabs.setElideMode(Qt.TextElideMode.ElideNone)  # in a narrow dock they scroll: "Sch…" says nothing
             tabs.setUsesScrollButtons(True)
+            leave_wheel(tabs)
         if event.type() in _MOVES:
             self._moved.start(0)
         by_user = self._narrow <= self._window.width() == self._fitted_for and not self._fits

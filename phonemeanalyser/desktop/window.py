@@ -41,7 +41,7 @@ from phonemeanalyser.desktop.welcome import WelcomeCards
 from phonemeanalyser.desktop.what_is_this import WhatIsThis
 from phonemeanalyser.desktop.widgets.banner import Banner
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
-from phonemeanalyser.desktop.widgets.key_filters import ControlKeys, FocusReturn, focus_buttons_by_tab
+from phonemeanalyser.desktop.widgets.key_filters import ControlKeys, FocusReturn, settle_focus
 from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack, PageSwitch
 from phonemeengine.audio.files import is_sound
 from phonemeengine.phonemes import Phoneme
@@ -162,7 +162,7 @@ class MainWindow(QMainWindow):
             signal.connect(self.dialogs.ask_save_picture)
         page.workbench.variables.add_asked.connect(self.dialogs.add_variable)
         page.workbench.variables.use_asked.connect(self.rule_dialogs.ask_use)
-        focus_buttons_by_tab(page)
+        settle_focus(page)
         self.installEventFilter(page.keys)
         return page
 
@@ -172,7 +172,7 @@ class MainWindow(QMainWindow):
         self.heads.add("page", page.head, page)
         page.export_asked.connect(self.dialogs.show_export)
         page.picture_asked.connect(self.dialogs.ask_save_picture)
-        focus_buttons_by_tab(page)
+        settle_focus(page)
         self.installEventFilter(page.keys)
         return page
 
@@ -288,9 +288,9 @@ class MainWindow(QMainWindow):
         self._connect_cards()
         self.installEventFilter(ControlKeys(self))
         self.show_page(ANALYSE)
-        self._show_names()
-        self._show_state()
-        self._show_spoken()
+        settle_focus(self)
+        for show in (self._show_names, self._show_state, self._show_spoken):
+            show()
 
     def _connect_cards(self) -> None:
         """Have the cards of the first start lead somewhere, and go when the user begins something else."""

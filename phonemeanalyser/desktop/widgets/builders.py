@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
     QMenu,
     QScrollArea,
     QSlider,
+    QTabBar,
     QTableWidget,
     QToolButton,
     QVBoxLayout,
@@ -373,7 +374,7 @@ class ScrolledDown(QScrollArea):
             self.keep_width(body)
 
 
-_SET_BY_WHEEL = (QAbstractSpinBox, QComboBox, QSlider)
+_SET_BY_WHEEL = (QAbstractSpinBox, QComboBox, QSlider, QTabBar)
 
 
 class _OnlyWithFocus(QObject):
@@ -386,9 +387,18 @@ class _OnlyWithFocus(QObject):
         return True
 
 
-def leave_wheel(body: QWidget) -> None:
-    """Have the numbers, choices and sliders in a scrolled widget heed the wheel only once they were clicked."""
-    for kind in _SET_BY_WHEEL:
-        for widget in body.findChildren(kind):
-            widget.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # the wheel itself gives no focus
-            widget.installEventFilter(_OnlyWithFocus(widget))
+def leave_wheel(body: QWidget, *, by_click: bool = True) -> None:
+    """Have a widget and all numbers, choices, sliders and tabs in it heed the wheel only while they have the focus.
+
+    Parameters
+    ----------
+    body : what is scrolled, or holds them.
+    by_click : whether numbers, choices and sliders get the focus by a click; else that stays as it is.
+    """
+    for widget in (body, *(found for kind in _SET_BY_WHEEL for found in body.findChildren(kind))):
+        if not isinstance(widget, _SET_BY_WHEEL):
+            continue
+        takes_it = widget.focusPolicy() == Qt.FocusPolicy.WheelFocus  # the wheel itself is to give no focus
+        if takes_it or (by_click and not isinstance(widget, QTabBar)):
+            widget.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        widget.installEventFilter(_OnlyWithFocus(widget))

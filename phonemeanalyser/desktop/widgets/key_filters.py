@@ -18,6 +18,8 @@ from PySide6.QtWidgets import (
 from shiboken6 import isValid
 from typing_extensions import override
 
+from phonemeanalyser.desktop.widgets.builders import leave_wheel
+
 _MOVING = frozenset({Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Home, Qt.Key.Key_End})
 _EDITING = frozenset({Qt.Key.Key_Backspace, Qt.Key.Key_Delete, *_MOVING})
 _CLIPBOARD = frozenset({Qt.Key.Key_A, Qt.Key.Key_C, Qt.Key.Key_V, Qt.Key.Key_X})
@@ -38,8 +40,9 @@ def is_typed_into(widget: QWidget | None) -> bool:
     return isinstance(widget, _TYPED_INTO) and not widget.property(_LETTERS_ARE_KEYS)
 
 
-def focus_buttons_by_tab(page: QWidget) -> None:
-    """Have the buttons of a page take the focus by Tab only, so that Space still plays after a click on one."""
+def settle_focus(page: QWidget) -> None:
+    """Have the buttons of a page take the focus by Tab only, so that Space still plays; fields leave the wheel."""
+    leave_wheel(page, by_click=False)
     for button in page.findChildren(QAbstractButton):
         if button.focusPolicy() & Qt.FocusPolicy.ClickFocus:
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)

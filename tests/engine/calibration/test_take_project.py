@@ -80,6 +80,31 @@ def test_trimming_leaves_the_sound_as_it_is(project):
     assert set(frames.phonemes[~frames.certain]) == {Phoneme.UNIDENTIFIED}
 
 
+def test_changes_made_together_are_undone_together_or_alone_and_a_refused_one_takes_all_back(project):
+    takes = [project.add(SOUND, "Ada", Phoneme.A) for _ in range(3)]
+    with project.together():
+        for take in takes:
+            project.exclude(take)
+    assert [take.excluded for take in project.takes] == [True] * 3
+    project.undo()
+    assert [take.excluded for take in project.takes] == [True, True, False]
+    with project.together():
+        project.undo()
+        project.undo()
+    assert in_manifest(project) == [(f"a-{k}.flac", "Ada") for k in (1, 2, 3)]
+
+    def delete_and_trim_too_far() -> None:
+        with project.together():
+            project.delete(takes[0])
+            project.trim(takes[1], 0.4, 0.1)
+
+    with pytest.raises(TakeError):
+        delete_and_trim_too_far()
+    assert project.takes == tuple(takes)
+    assert project.changes == ("add a-1", "add a-2", "add a-3")
+    assert in_manifest(project) == [(f"a-{k}.flac", "Ada") for k in (1, 2, 3)]
+
+
 @pytest.mark.parametrize("stretch", [(-0.1, 0.2), (0.2, 0.2), (0.3, 0.2), (0.1, 0.6), (float("nan"), 0.2)])
 def test_an_impossible_stretch_is_refused_and_changes_nothing(project, stretch):
     take = project.add(SOUND, "Ada", Phoneme.A)

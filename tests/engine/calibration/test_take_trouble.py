@@ -16,7 +16,16 @@ from tests.sounds import noise, vowel
 SOUND = vowel((750, 1250), 0.3)
 HISS = noise(0.3)
 
+
+def change_both(project, one):
+    other = project.takes[1]
+    with project.together():
+        project.relabel(one, Phoneme.E)
+        project.delete(other)
+
+
 CHANGES = {
+    "together": change_both,
     "add": lambda project, one: project.add(HISS, "Ada", Phoneme.SZ),
     "trim": lambda project, one: project.trim(one, 0.1, 0.2),
     "relabel": lambda project, one: project.relabel(one, Phoneme.E),
@@ -84,6 +93,7 @@ def _new_of(old, name):
     number, _, speaker, start, end, _, _ = old[0]
     rest = old[1:]
     changed = {
+        "together": [(number, Phoneme.E, *old[0][2:]), (*rest[0][:-1], True)],
         "trim": [(number, Phoneme.A, speaker, 0.1, 0.2, False, False), *rest],
         "relabel": [(number, Phoneme.E, speaker, start, end, False, False), *rest],
         "exclude": [(number, Phoneme.A, speaker, start, end, True, False), *rest],

@@ -8,10 +8,10 @@ old one, and only after that the old sound goes. Copies of the labels for other 
 import filecmp
 import re
 import shutil
-from collections.abc import Collection, Iterable
-from contextlib import suppress
+from collections.abc import Collection, Iterable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.locking import lock_at
@@ -103,6 +103,15 @@ LOCK = "takes.lock"
 _NUMBER = re.compile(r"-(\d{1,9})\b")
 
 
+class _Change(NamedTuple):
+    """A change whose first half is made: the take before and now, whether its sound was copied, removed copies."""
+
+    old: Take | None
+    new: Take
+    copied: bool
+    copies: tuple[str, ...]
+
+
 class TakeFolder:
     """Keeps the takes of a project on the disk, and the folder to itself.
 
@@ -132,6 +141,8 @@ class TakeFolder:
             self.takes = {take.number: take for take in found.takes}
             self.missing = found.missing
             self.notes = found.notes
+            self._changes: list[_Change] = []
+            self._waits = False
             self._catch_up(progress)
         except BaseException:
             self.close()
@@ -187,23 +198,36 @@ class TakeFolder:
         CorpusError : the disk refuses; nothing has changed.
         """
         old = self.takes.get(take.number)
-        moves = old is not None and old.sound != take.sound
-        takes = {**self.takes, take.number: take}
-        copied = moves and old is not None and self._copy(old, take)
+        copied = old is not None and old.sound != take.sound and self._copy(old, take)
         copies = remove_copies(self._folder, old) if old is not None else ()
+        self._changes.append(_Change(old, take, copied, copies))
+        self.takes = {**self.takes, take.number: take}
         try:
             write_take_labels(self._folder, take)
-            write_manifest(self._folder, self._present(takes))
-            write_take_list(self._folder, takes.values())
+            if not self._waits:
+                self._write_list()
         except BaseException:
-            self._go_back(take, old, remove=copied)
-            write_copies(self._folder, old or take, copies)
+            if not self._waits:
+                self._go_back()
             raise
-        self.takes = takes
-        write_copies(self._folder, take, copies)
-        if moves and old is not None:
-            with suppress(OSError):
-                self._remove(old)
+
+    @contextmanager
+    def together(self) -> Iterator[None]:
+        """Make several changes one: the list, which is long where there are many takes, is written once.
+
+        Raises
+        ------
+        CorpusError : the disk refuses; none of the changes has happened.
+        """
+        self._waits = True
+        try:
+            yield
+            self._write_list()
+        except BaseException:
+            self._go_back()
+            raise
+        finally:
+            self._waits = False
 
     def forget(self, takes: Collection[Take]) -> None:
         """Remove takes and their sounds for ever.
@@ -261,13 +285,31 @@ class TakeFolder:
             ) from error
         return True
 
-    def _go_back(self, take: Take, old: Take | None, *, remove: bool) -> None:
-        """Undo the first half of a change that the disk refused."""
+    def _write_list(self) -> None:
+        """Write manifest and list, with which the changes so far have happened; what they replaced goes."""
+        write_manifest(self._folder, self._present(self.takes))
+        write_take_list(self._folder, self.takes.values())
+        changes, self._changes = self._changes, []
+        for change in changes:
+            write_copies(self._folder, change.new, change.copies)
+            if change.old is not None and change.old.sound != change.new.sound:
+                with suppress(OSError):
+                    self._remove(change.old)
+
+    def _go_back(self) -> None:
+        """Undo the first half of changes that the disk refused."""
+        changes, self._changes = self._changes, []
+        for change in reversed(changes):
+            self.takes = {number: take for number, take in self.takes.items() if number != change.new.number}
+            if change.old is not None:
+                self.takes[change.old.number] = change.old
+            with suppress(OSError, CorpusError):
+                if change.copied:
+                    self._remove(change.new)
+                if change.old is not None:
+                    write_take_labels(self._folder, change.old)
+            write_copies(self._folder, change.old or change.new, change.copies)
         with suppress(OSError, CorpusError):
-            if remove:
-                self._remove(take)
-            if old is not None:
-                write_take_labels(self._folder, old)
             write_manifest(self._folder, self._present(self.takes))
 
     def _remove(self, take: Take) -> None:

@@ -24,6 +24,7 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.rules import RuleModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.builders import silent
+from phonemeanalyser.desktop.widgets.distribution import shortest
 from phonemeengine.arrays import LARGEST_FLOAT32
 from phonemeengine.features.variables import readable_name
 from phonemeengine.phonemes import Phoneme
@@ -172,7 +173,7 @@ class RuleTree(QTreeWidget):
             item.setText(NOW, "")
             return
         holds = comparison.margin > 0
-        item.setText(NOW, f"{comparison.value:.3g} {'✓' if holds else '✗'}")
+        item.setText(NOW, f"{shortest(comparison.value, 2)} {'✓' if holds else '✗'}")
         item.setForeground(NOW, QColor(self._theme.good if holds else self._theme.bad))
 
     def _make_items(self, rules: Sequence[Rule]) -> None:

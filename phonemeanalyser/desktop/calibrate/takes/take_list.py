@@ -130,6 +130,7 @@ class TakeListView(QTableWidget):
             if before[row : row + 1] != [shown]:  # of thousands of takes, few change at a time
                 for column, item in enumerate(self._items_of(*shown)):
                     self.setItem(row, column, item)
+        self.clearSelection()  # takes are chosen, not rows, which others may have now
         if chosen is not None and self._takes.take(chosen) is not None:
             self.select_take(chosen)
         elif self.currentRow() >= 0:

@@ -69,15 +69,13 @@ class TakeEdit(QUndoCommand):
     def undo(self) -> None:
         """Take the project's last change back."""
         self._done = False
-        for _ in range(self._n):
-            self._takes.undo()
+        self._takes.undo(self._n)
 
     @override
     def redo(self) -> None:
         """Do it again, but for the first time, when it is pushed."""
         if not self._done:
-            for _ in range(self._n):
-                self._takes.redo()
+            self._takes.redo(self._n)
         self._done = True
 
 
@@ -280,13 +278,13 @@ class TakesModel(QObject):
         """Delete takes; one undo brings them back."""
         self._change_takes(numbers, lambda project, take: project.delete(take), tr("delete {n} takes"))
 
-    def undo(self) -> None:
-        """Take the last change back."""
-        self._change(lambda project: self._checked(project, project.undo()), is_new=False)
+    def undo(self, n: int = 1) -> None:
+        """Take the last changes back."""
+        self._step(n, TakeProject.undo)
 
-    def redo(self) -> None:
+    def redo(self, n: int = 1) -> None:
         """Do again what was undone."""
-        self._change(lambda project: self._checked(project, project.redo()), is_new=False)
+        self._step(n, TakeProject.redo)
 
     def empty_deleted(self) -> None:
         """Remove deleted takes for ever; what was done before cannot be undone then."""
@@ -315,12 +313,23 @@ class TakesModel(QObject):
 
     def _change_takes(self, numbers: Collection[int], act: Callable[[TakeProject, Take], Take], words: str) -> None:
         """Change several takes at a time, which are one step of undo with words of their own."""
+        wanted = frozenset(numbers)
 
         def change(project: TakeProject) -> None:
-            for take in [t for t in project.takes if t.number in numbers]:
-                act(project, take)
+            with project.together():
+                for take in [t for t in project.takes if t.number in wanted]:
+                    act(project, take)
 
         self._change(change, words=words)
+
+    def _step(self, n: int, step: Callable[[TakeProject], Take | None]) -> None:
+        def change(project: TakeProject) -> None:
+            with project.together():
+                takes = [step(project) for _ in range(n)]
+            if n == 1:  # several at a time were excluded, included or deleted, and sound as before
+                self._checked(project, takes[0])
+
+        self._change(change, is_new=False)
 
     def _change_take(self, number: int, act: Callable[[TakeProject, Take], Take]) -> None:
         def change(project: TakeProject) -> Take | None:
