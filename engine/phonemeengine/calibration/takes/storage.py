@@ -103,7 +103,7 @@ LOCK = "takes.lock"
 _NUMBER = re.compile(r"-(\d{1,9})\b")
 
 
-class _Change(NamedTuple):
+class _HalfMade(NamedTuple):
     """A change whose first half is made: the take before and now, whether its sound was copied, removed copies."""
 
     old: Take | None
@@ -141,7 +141,7 @@ class TakeFolder:
             self.takes = {take.number: take for take in found.takes}
             self.missing = found.missing
             self.notes = found.notes
-            self._changes: list[_Change] = []
+            self._changes: list[_HalfMade] = []
             self._waits = False
             self._catch_up(progress)
         except BaseException:
@@ -200,7 +200,7 @@ class TakeFolder:
         old = self.takes.get(take.number)
         copied = old is not None and old.sound != take.sound and self._copy(old, take)
         copies = remove_copies(self._folder, old) if old is not None else ()
-        self._changes.append(_Change(old, take, copied, copies))
+        self._changes.append(_HalfMade(old, take, copied, copies))
         self.takes = {**self.takes, take.number: take}
         try:
             write_take_labels(self._folder, take)
