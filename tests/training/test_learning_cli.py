@@ -151,7 +151,7 @@ def test_another_text_is_refused_and_nothing_is_written(read, tmp_path, capsys):
     assert said.startswith("me.wav: the recording does not match this sentence")
     with pytest.raises(SystemExit):
         main(["adapt", str(read), "--line", "german", "--text", "Hallo", "-o", str(out)])
-    assert "--line goes without --text" in capsys.readouterr().err
+    assert "--line is itself the text; leave --text and --script out" in capsys.readouterr().err
     assert not out.exists()
 
 

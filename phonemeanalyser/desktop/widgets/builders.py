@@ -152,6 +152,7 @@ def slider_of_percent(name: str, tip: str) -> QSlider:
     slider.setRange(0, 100)
     slider.setPageStep(10)
     slider.setMinimumWidth(44)
+    leave_wheel(slider)  # many come later than the page that holds them
     return slider
 
 

@@ -315,9 +315,10 @@ def test_another_table_brings_its_own_shapes(window, desktop, qtbot):
     window.talk.keys.settling.timeout.emit()
 
 
-def test_a_card_opens_a_recording_beside_the_head(window, desktop, tmp_path):
+def test_a_card_opens_a_recording_beside_the_head_where_only_the_demo_is_open(window, desktop, tmp_path):
     other = wav(tmp_path, AN_A, "other.wav")
     window.files.show = FileAnswers(other)
+    desktop.demo = desktop.session.path
     window.show_page(0)
     window.welcome.show_cards()
     window.welcome.cards[3].click()

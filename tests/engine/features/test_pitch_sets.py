@@ -142,7 +142,7 @@ def test_sets_are_saved_and_read() -> None:
 def test_a_range_is_refused_that_no_voice_can_have(low: float, high: float) -> None:
     with pytest.raises(SettingsError, match=r"'man' must range upwards within 60..500 Hz"):
         replace(MAN, low=low, high=high)
-    with pytest.raises(SettingsError, match="needs a name"):
+    with pytest.raises(SettingsError, match="a pitch set has no name; give it one, such as woman"):
         replace(MAN, name=" ")
 
 

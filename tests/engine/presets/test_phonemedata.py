@@ -112,7 +112,7 @@ def test_files_of_other_programs_are_read_too(text: str):
 def test_a_refusal_names_the_line_the_field_and_what_was_found(old: str, new: str, said: str):
     with pytest.raises(PresetError) as refusal:
         parse_phoneme_data(COUNTING.replace(old, new))
-    assert str(refusal.value) == said
+    assert str(refusal.value) == f"{said}; correct it"
 
 
 @pytest.mark.parametrize(
@@ -122,8 +122,11 @@ def test_a_refusal_names_the_line_the_field_and_what_was_found(old: str, new: st
         ("\n \n", "holds 21 numbers, found 0; .* after line 1 is time_smooth"),
         ("1,2,3,4,5\n6,7", "holds 21 numbers, found 7; .* after line 2 is silence_max_energy"),
         (COUNTING.replace(",21", ""), "holds 21 numbers, found 20; .* after line 6 is i_o1"),
-        (COUNTING + "22,23\n", "holds 21 numbers and ends with i_o1, found 23; line 7 goes on with '22'"),
-        (COUNTING.replace("21", "21 end"), "found 22; line 6 goes on with 'end'"),
+        (
+            COUNTING + "22,23\n",
+            "holds 21 numbers and ends with i_o1, found 23; remove '22' in line 7 and what follows",
+        ),
+        (COUNTING.replace("21", "21 end"), "found 22; remove 'end' in line 6 and what follows"),
     ],
 )
 def test_a_wrong_count_is_refused_with_the_place(text: str, said: str):

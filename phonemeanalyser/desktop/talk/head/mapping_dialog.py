@@ -15,6 +15,7 @@ from phonemeanalyser.desktop.widgets.builders import (
     column,
     dialog_buttons,
     label,
+    leave_wheel,
     named,
     row,
     silent,
@@ -177,6 +178,7 @@ class FaceMappingDialog(QDialog):
             self.table.setItem(place, 0, QTableWidgetItem(ours))
             self.table.setCellWidget(place, 1, box)
             self.table.setCellWidget(place, 2, slider)
+        leave_wheel(self.table)
         self._show()
 
     def _show(self) -> None:
