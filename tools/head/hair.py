@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import map_coordinates
 
 from tools.head.clay import Clay, first_hits, grid_triangles
 from tools.head.people import Person
@@ -30,14 +29,6 @@ ON_SKIN = 0.7
 """What hangs, and yet ends above it, ends on the skin."""
 SUNK = np.array((0.0, 0.05, 0.14, 0.30, 0.57, 1.0))
 """How far the last rows of what ends on the skin have gone into it."""
-N_WISPS, FRONT = 160, np.radians(62)
-"""Fine hairs that break the edge, and how far aside of the face they grow, radians."""
-ROOTS, MIDDLE, TIP = (-4.3, -2.7), -2.3, -1.5
-"""Rows of the surface, counted from its last one, where they begin, are widest, and from where their tips go on."""
-LENGTHS, WIDTH, LEANING = (0.015, 0.085), 0.016, 0.05
-"""How far tips lie on the skin, how wide a fine hair is, and how far its tip leans aside."""
-RAISED, SUNKEN = 0.004, -0.003
-"""How far fine hairs are above hair and skin, and their roots below."""
 FADING = 0.24
 """Share of a column, at its end, whose colour nears that of the skin."""
 
@@ -131,7 +122,6 @@ def with_hair(head: Clay, person: Person) -> Clay:
     n_rows = style.n_rows + N_INSIDE
     colours = _colours(person, strands, style, _lies_on_skin(style, ends))
     triangles = grid_triangles(n_rows, style.n_columns, closed=True)
-    head = _with_wisps(head, person, style, angles, rows, _lies_on_skin(style, ends))
     top = np.array([[rows[:, 0].mean(axis=0)[0], rows[:, 0, 1].mean() + 0.004, rows[:, 0].mean(axis=0)[2]]])
     ring = np.arange(style.n_columns)
     cap = np.stack((np.full(style.n_columns, len(points)), ring, np.roll(ring, -1)), axis=1)
@@ -142,47 +132,6 @@ def with_hair(head: Clay, person: Person) -> Clay:
         np.concatenate((colours, colours[: style.n_columns].mean(axis=0, keepdims=True))),
         None,
     )
-
-
-def _with_wisps(head: Clay, person: Person, style: Style, angles: Floats, rows: Floats, on_skin: Floats) -> Clay:
-    """Add fine hairs to an edge that lies on the skin, each from the surface of the hair to a tip on the skin."""
-    random, n = np.random.default_rng(13), N_WISPS
-    grown = np.flatnonzero((np.abs(angles) < FRONT) & (on_skin > 0.99))
-    places = random.uniform(grown[0], grown[-1], n)
-
-    def on_hair(row: Floats) -> Floats:
-        place = np.stack((places, row + style.n_rows - 1))
-        return np.stack([map_coordinates(rows[:, :, k], place, order=1) for k in range(3)], axis=1)
-
-    root, middle = on_hair(random.uniform(*ROOTS, n)), on_hair(np.full(n, MIDDLE))
-    down = _unit(middle - on_hair(np.full(n, ROOTS[0])))
-    aside = _unit(np.cross(down, middle - CENTRE))
-    tip = (
-        on_hair(np.full(n, TIP)) + random.uniform(*LENGTHS, (n, 1)) * down + random.normal(0, LEANING, (n, 1)) * aside
-    )
-    half, middle = WIDTH / 2 * aside, middle + RAISED * _unit(middle - CENTRE)
-    points = (root + SUNKEN * _unit(root - CENTRE), middle - half, middle + half, _on_skin(head, tip))
-    hair = np.array(person.hair) + 0.35 * (np.array(person.strand, float) - person.hair)
-    ends = np.tile(hair + 0.55 * (np.array(person.skin) - hair), (n, 1))
-    colours = np.stack([hair * random.uniform(0.8, 1.25, (n, 1))] * 3 + [ends], axis=1).clip(0, 255)
-    triangles = 4 * np.arange(n)[:, np.newaxis, np.newaxis] + np.array(((0, 2, 1), (1, 2, 3)))
-    return head.added(
-        "hair", np.stack(points, axis=1).reshape(-1, 3), triangles.reshape(-1, 3), colours.reshape(-1, 3), None
-    )
-
-
-def _on_skin(head: Clay, points: Floats) -> Floats:
-    """Return where rays from outside, through points, to the centre of the skull meet the skin, a little above it."""
-    skin = head.of_part("skin")
-    triangles = head.triangles[skin[head.triangles].all(axis=1)]
-    triangles = triangles[head.points[triangles][:, :, 1].max(axis=1) > 0]
-    towards = _unit(points - CENTRE)
-    ways, _, _ = first_hits(head.points, triangles, CENTRE + 3 * towards, -towards)
-    return np.asarray(CENTRE + (3 - ways + RAISED)[:, np.newaxis] * towards)
-
-
-def _unit(vectors: Floats) -> Floats:
-    return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
 
 
 def _angles(style: Style) -> Floats:
