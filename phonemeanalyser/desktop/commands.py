@@ -343,7 +343,7 @@ def add_talk_menu(menus: Menus, talking: TalkModel, dialogs: TalkDialogs, window
         action.setCheckable(True)
         action.setData(rate)
     rates.triggered.connect(lambda action: talking.pictures.set_rate(action.data()))
-    menus.add(tr("Pictures a second"), *rates.actions(), within=menu)
+    menus.add(tr("Pictures per Second"), *rates.actions(), within=menu)
 
     def show_looks() -> None:
         menus.show_checked("Wireframe (W)", dialogs.wireframe)

@@ -1,7 +1,8 @@
 """A voice: text becomes sound, and what is said when, both from one and the same call of the synthesizer.
 
-The same text always sounds alike, whatever was spoken before. It is spoken sentence by sentence, a Chinese one clause
-by clause, so that a long one needs no more memory than a short one.
+The same text always sounds alike, whatever was spoken before, but for two of espeak-ng's voices, Reed and caleb, that
+draw noise. It is spoken sentence by sentence, a Chinese one clause by clause, so that a long one needs no more memory
+than a short one.
 """
 
 from collections.abc import Iterator, Sequence

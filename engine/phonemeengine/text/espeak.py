@@ -260,7 +260,7 @@ def synthesise(
     rate: int = NORMAL_RATE,
     phonemes: bool = False,
 ) -> None:
-    """Speak a text, always alike; every event comes with the samples that it begins in.
+    """Speak a text, alike each time; every event comes with the samples that it begins in.
 
     Parameters
     ----------

@@ -109,8 +109,8 @@ class PictureCounter(QWidget):
         self.place.setToolTip(tr("Time, and number of the picture, counted from 0"))
         self.rate = choice(
             ((tr("{rate}/s").format(rate=rate), rate) for rate in PICTURE_RATES),
-            tr("Pictures a second"),
-            tr("Pictures a second of the animation; Left and Right in the timeline go one picture back or forward"),
+            tr("Pictures per Second"),
+            tr("Pictures per second of the animation; Left and Right in the timeline go one picture back or forward"),
         )
         row(self.place, self.rate, on=self, spacing=6)
         self.place.setMinimumWidth(self.place.fontMetrics().horizontalAdvance(self._words(3599.999, 215_999)))

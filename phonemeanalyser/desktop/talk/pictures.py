@@ -8,7 +8,7 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeengine.settings import FRAME_PERIOD
 
 PICTURE_RATES = (24, 25, 30, 50, 60)
-"""Pictures a second of an animation, of which one is chosen."""
+"""Pictures per second of an animation, of which one is chosen."""
 IN_PICTURE = 0.01
 """Pictures by which a time, rounded to samples, may lie before the picture that it belongs to."""
 

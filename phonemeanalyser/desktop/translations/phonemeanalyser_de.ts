@@ -7220,16 +7220,6 @@
             <translation>Phone</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
-            <source>Pictures a second</source>
-            <translation>Bilder pro Sekunde</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
-            <source>Pictures a second of the animation; Left and Right in the timeline go one picture back or forward</source>
-            <translation>Bilder pro Sekunde der Animation; Links und Rechts in der Zeitleiste gehen ein Bild zurück oder weiter</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/rendering/offscreen.py" />
             <source>pictures need OpenGL 3.3, in software at least, and there is none ({error}); install a graphics driver, on Linux the packages libegl1 and libgl1-mesa-dri</source>
             <translation>Für Bilder wird OpenGL 3.3 benötigt, zumindest in Software, und es fehlt ({error}); Grafiktreiber installieren, unter Linux die Pakete libegl1 und libgl1-mesa-dri</translation>
@@ -7238,6 +7228,16 @@
             <location filename="../../../phonemeanalyser/rendering/offscreen.py" />
             <source>pictures of {size}x{size_2} pixels are too large for OpenGL here; make them smaller</source>
             <translation>Bilder von {size}x{size_2} Pixeln sind für OpenGL hier zu groß; kleiner wählen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Pictures per Second</source>
+            <translation>Bilder pro Sekunde</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>Pictures per second of the animation; Left and Right in the timeline go one picture back or forward</source>
+            <translation>Bilder pro Sekunde der Animation; Links und Rechts in der Zeitleiste gehen ein Bild zurück oder weiter</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />

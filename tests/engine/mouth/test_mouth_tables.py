@@ -195,7 +195,7 @@ CHANGES = {
         "[times]\nsilence = { attack = 0.1 }",
         r"\[times\] silence has none: .* remove it",
     ),
-    "times of nobody": ("[times]", "[times]\nth = { attack = 0.1 }", r"\[times\]: there is no phoneme 'th'"),
+    "times of no phoneme": ("[times]", "[times]\nth = { attack = 0.1 }", r"\[times\]: there is no phoneme 'th'"),
     "times as number": ("a = { attack = 0.10, release = 0.20 }", "a = 0.1", r"\[times\] a must be like .* found 0.1"),
     "unknown time": ("a = { attack = 0.10", "a = { hold = 0.10", r"\[times\] a must be like { attack = 0.1"),
     "time as text": ("a = { attack = 0.10", 'a = { attack = "0.1"', r"\[times.a\] attack must be a number"),
