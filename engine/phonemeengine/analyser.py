@@ -7,7 +7,7 @@ frames, and the result does not depend on how the sound was cut.
 import math
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -41,6 +41,7 @@ BLOCK = 512
 HELD_FRAMES = 8
 """Frames for which a single window is taken to last: with fewer or more, the network is right less often."""
 
+_NONE_ARRIVED = np.zeros((0, WINDOW), np.float32)
 _SILENCE = int(Phoneme.SILENCE)  # which compares faster than the member does
 
 
@@ -62,6 +63,8 @@ class Analysis(ShortRepr):
     viseme_scores : float32, shape (n_frames, n_visemes): how likely each viseme is; None where the recogniser tells
         none apart.
     viseme_set : the visemes that it tells apart; of the usual set the codes are those of `Viseme`.
+    arrived : of live sound, the samples of the frames that have come since the last block, float32, shape
+        (n_arrived, 2048): newer than `frames` by the look-ahead. Empty in a `part`, and where sound is not live.
     """
 
     start: int
@@ -74,6 +77,7 @@ class Analysis(ShortRepr):
     settings: AnalysisSettings
     viseme_scores: Float32Array | None = None
     viseme_set: VisemeSet = STANDARD_VISEMES
+    arrived: Float32Array = field(default_factory=lambda: _NONE_ARRIVED)
 
     def __len__(self) -> int:
         return len(self.phonemes)
@@ -126,6 +130,7 @@ class Analysis(ShortRepr):
             intensities=self.intensities[first:last],
             confidences=self.confidences[first:last],
             viseme_scores=None if self.viseme_scores is None else self.viseme_scores[first:last],
+            arrived=_NONE_ARRIVED,
         )
 
 
@@ -173,6 +178,7 @@ class Analyser:
         self._use(recogniser_for(preset) if recogniser is None else completed(recogniser))
         self._statistics, self._visemes = PhonemeSmoother(*_smoothing_of(preset)), VisemeSmoother()
         self._waiting = LookAheadBuffer()
+        self._arrived = _NONE_ARRIVED
         self._unasked = False
         self._next = start
 
@@ -240,7 +246,7 @@ class Analyser:
             rest = self._answered(self._path.nothing(), self._recogniser.finish())
         else:
             rest = self._recognise(self._path.measure(np.zeros((n, WINDOW), np.float32)))
-        return concatenate_analyses([last, rest])
+        return concatenate_analyses([last, self._with_arrived(rest, _NONE_ARRIVED)])
 
     def _in_force(self, preset: Preset) -> Preset:
         return for_live_use(preset) if self._live else preset
@@ -250,12 +256,20 @@ class Analyser:
 
     def _analyse(self, frames: Float32Array) -> Analysis:
         if 0 < len(frames) <= BLOCK and not self._unasked:
-            return self._recognise(self._path.measure(frames))
+            return self._with_arrived(self._recognise(self._path.measure(frames)), frames)
         waiting, self._unasked = self._waiting.clear() if self._unasked else None, False
         ready = [] if waiting is None else [self._recognise(waiting)]
         pushed = [self._path.measure(frames[k : k + BLOCK]) for k in range(0, len(frames), BLOCK)]
-        found = [*ready, *(self._recognise(block) for block in pushed)]
-        return concatenate_analyses(found) if found else self._recognise(self._path.nothing())
+        found = [*ready, *(self._recognise(block) for block in pushed)] or [self._recognise(self._path.nothing())]
+        return self._with_arrived(concatenate_analyses(found), frames)
+
+    def _with_arrived(self, found: Analysis, frames: Float32Array) -> Analysis:
+        """Return a block of live sound with the frames that came; they go with the next one if it has no answers."""
+        if not self._live:
+            return found
+        frames = np.concatenate((self._arrived, frames)) if len(self._arrived) else frames
+        self._arrived = _NONE_ARRIVED if len(found) else frames
+        return replace(found, arrived=frames) if len(found) else found
 
     def _recognise(self, measured: FrameBlock) -> Analysis:
         return self._answered(measured, self._recogniser.recognise(measured.windows, measured.features))
@@ -284,10 +298,8 @@ class Analyser:
         start, self._next = self._next, self._next + len(recognised)
         visemes = self._visemes.follow(phonemes, recognition.visemes, recognition.viseme_set)
         sure = sure_of(self._preset, phonemes, scores_in(measured.features), deficits if by_rules else None)
-        seen = recognition.visemes
-        return Analysis(
-            start, measured, recognised, phonemes, visemes, intensities, sure, settings, seen, recognition.viseme_set
-        )
+        seen, kind = recognition.visemes, recognition.viseme_set
+        return Analysis(start, measured, recognised, phonemes, visemes, intensities, sure, settings, seen, kind)
 
     def _path_of(self, preset: Preset) -> FrontEnd | LevelFrontEnd | PitchSetFrontEnd:
         if self._leaves_features_out(preset):
@@ -360,7 +372,8 @@ def push_together(pushes: Sequence[tuple[Analyser, Float32Array]]) -> list[Analy
         recognised = first.recognise_with(others, [frames[k] for k in group])
         for k, recognition in zip(group, recognised, strict=True):
             analyser = pushes[k][0]
-            found[k] = analyser._answered(analyser._path.measure(frames[k]), recognition)
+            answered = analyser._answered(analyser._path.measure(frames[k]), recognition)
+            found[k] = analyser._with_arrived(answered, frames[k])
     return [found[k] for k in range(len(pushes))]
 
 
@@ -379,6 +392,7 @@ def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
         settings=analyses[-1].settings,
         viseme_scores=np.concatenate(of_visemes) if len(of_visemes) == len(blocks) else None,
         viseme_set=analyses[-1].viseme_set,
+        arrived=np.concatenate([a.arrived for a in analyses]),
     )
 
 
@@ -448,21 +462,10 @@ def analyse_blocks(
     start: int = 0,
     recogniser: object | None = None,
 ) -> Iterator[Analysis]:
-    """Analyse a whole sound, given as consecutive blocks of samples; ends with the frames at its end.
-
-    Parameters
-    ----------
-    blocks : of samples, as `Analyser.push` takes them.
-    preset, rate, pitch, start, recogniser : as of `Analyser`.
-    """
+    """Analyse a whole sound, given as blocks for an `Analyser` with these options; ends with its last frames."""
     analyser = Analyser(preset, rate=rate, pitch=pitch, start=start, recogniser=recogniser)
-    for block in blocks:
-        analysis = analyser.push(block)
-        if len(analysis):
-            yield analysis
-    analysis = analyser.finish()
-    if len(analysis):
-        yield analysis
+    yield from filter(len, map(analyser.push, blocks))
+    yield from filter(len, (analyser.finish() for _ in range(1)))
 
 
 def analyse_file(

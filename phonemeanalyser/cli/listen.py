@@ -200,7 +200,7 @@ def listen(
             if performer is not None:
                 now = time.monotonic()
                 if follower is not None and face is not None:
-                    face.add(follower.follow(analysis.frames.windows), now)
+                    face.add(follower.listen(analysis), now)
                 performer.add(timed_frames(analysis, now), now, live=True)
                 if performer.feels:
                     performer.feel(feeling.follow(analysis.frames.windows), now)

@@ -22,6 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 from typing_extensions import override
 
+from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.framing import Framer
@@ -44,8 +45,7 @@ from phonemeengine.storage.replacing import Guard, guarded_write
 
 FORMAT = 1
 LIVE, WHOLE = 0, 10
-"""Frames of 10 ms for which an answer waits: live none, since frames come from a recogniser that waited already; and
-in sounds that are wholly known."""
+"""Frames of 10 ms for which an answer waits: in live sound, and in sounds that are wholly known."""
 LAGS = np.array([0, 8, 16])
 """How many frames lie between the newest state and those that an answer is made of."""
 REACH = int(LAGS[-1])
@@ -187,6 +187,10 @@ class FaceFollower:
                 weights += share * (pose - weights)
         found: Float32Array = np.clip(weights, 0, 1, out=weights)
         return found
+
+    def listen(self, heard: Analysis) -> Float32Array:
+        """Take the next block of a sound as it plays, and return the same; live sound does not wait for phonemes."""
+        return self.follow(heard.arrived if len(heard.arrived) else heard.frames.windows)
 
 
 class FaceFrames:

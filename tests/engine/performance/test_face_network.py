@@ -1,12 +1,13 @@
 """A face that follows the sound alone beats the rules on sentences that it never saw, however it is cut."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from phonemeengine.analyser import Analyser
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.framing import Framer
@@ -33,7 +34,8 @@ from phonemeengine.performance.making import make_corpus, sentences
 from phonemeengine.performance.table_file import PerformanceTable
 from phonemeengine.performance.track import PerformanceTrack
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
-from phonemeengine.settings import FRAME_PERIOD, WINDOW
+from phonemeengine.presets.model_choice import with_small_network
+from phonemeengine.settings import FRAME_PERIOD, HOP, WINDOW
 from phonemeengine.speech.voice import Voice, speak
 from tests.engine.performance.corpora import write_recording
 
@@ -130,6 +132,18 @@ def test_the_face_does_not_depend_on_how_the_sound_is_cut(studio: Studio, networ
     parts = [follower.follow(windows[k : k + 7]) for k in range(0, 150, 7)]
     assert len(whole) == 150 - ahead
     np.testing.assert_allclose(np.concatenate(parts), whole, atol=1e-5)
+
+
+def test_live_sound_moves_the_face_before_its_phonemes_are_known(studio: Studio, network: FaceNetwork):
+    with SoundReader(find_recordings(studio.later).recordings[0].sound) as reader:
+        sound = reader.read_mono()[: 150 * HOP]
+    late = replace(PRESET.settings, live_look_ahead=0.05)
+    analyser = Analyser(replace(with_small_network(PRESET), settings=late), live=True, phonemes_only=True)
+    follower, windows = FaceFollower(network), Framer().cut_frames(sound)
+    blocks = [analyser.push(sound[k : k + 300]) for k in range(0, len(sound), 300)]
+    moved = np.concatenate([follower.listen(block) for block in blocks])
+    np.testing.assert_allclose(moved, FaceFollower(network).follow(windows), atol=1e-5)
+    assert len(moved) == sum(map(len, blocks)) + 5
 
 
 def test_live_frames_are_shown_when_they_end_and_the_face_rests_where_nothing_follows(network: FaceNetwork):

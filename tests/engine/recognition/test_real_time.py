@@ -73,6 +73,19 @@ def test_each_frame_has_its_answer_as_late_as_the_preset_allows_but_20_ms_at_lea
     assert len(heard(preset_of(live_look_ahead=allowed))) == N_FRAMES
 
 
+@pytest.mark.parametrize("n", [137, HOP, 3000, len(SOUND)])
+def test_live_windows_come_before_their_answers_however_the_sound_is_cut(n):
+    framer = Framer()
+    windows = np.concatenate([framer.cut_frames(SOUND), framer.finish()])
+    analyser, n_whole = Analyser(preset_of(), live=True), (len(SOUND) - 2048 // 2 - HOP // 2) // HOP + 1
+    pushed = [analyser.push(SOUND[k : k + n]) for k in range(0, len(SOUND), n)]
+    assert sum(len(block.arrived) for block in pushed) == n_whole == sum(map(len, pushed)) + 4
+    analyser.set_preset(replace(preset_of(), live_encoder=None))  # whose network is asked about what waits
+    blocks = [*pushed, analyser.push(SOUND[:0]), analyser.finish()]
+    np.testing.assert_array_equal(np.concatenate([block.arrived for block in blocks]), windows)
+    assert not len(blocks[0].part(slice(1)).arrived)
+
+
 def test_it_says_what_the_encoder_finds_in_the_windows():
     framer = Framer()
     windows = np.concatenate([framer.cut_frames(SOUND), framer.finish(), np.zeros((9, 2048), np.float32)])

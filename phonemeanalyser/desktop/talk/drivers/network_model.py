@@ -95,7 +95,7 @@ class NetworkModel(OpenedFiles):
         """Follow the next blocks, each with when it ends on the clock; only what is live goes by that."""
         if self.face is not None and self._follower is not None:
             for end, block in heard:
-                weights = self._follower.follow(block.frames.windows)
+                weights = self._follower.listen(block)
                 self.face.add(weights, end if live else (block.start + len(block)) * FRAME_PERIOD)
 
     def begin_again(self) -> None:
