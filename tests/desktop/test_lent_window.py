@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QDockWidget
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.window import TALK
+from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.settings import Filter
 from tests.desktop.hands import click, followed, press
 from tests.desktop.lent_window import WindowLender
@@ -18,6 +19,7 @@ def test_a_window_is_lent_again_as_it_was_at_first(lender: WindowLender, desktop
     click(window.analysis.spectrum.decibels)
     press(window, Qt.Key.Key_L)
     window.analysis.waveform.scale.setValue(20)
+    desktop.preset.load(DEFAULT_PRESET)  # whose controls are others
     desktop.preset.set_filter(Filter.DENOISE, on=True)
     window.findChild(QDockWidget).close()
     window.show_page(TALK)

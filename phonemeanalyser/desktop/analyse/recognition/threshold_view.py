@@ -228,6 +228,9 @@ class ThresholdView(ScrolledDown):
     def _show_preset(self) -> None:
         if self._shown != self._preset.control_groups:
             self._exchange(self._preset.control_groups)
+        if self._kept is not None and self._preset.other is None:
+            self._kept[2].deleteLater()
+            self._kept = None
         preset = self._preset.preset
         with silent(*(row.number for row in self.rows.values())):
             for name, row in self.rows.items():
