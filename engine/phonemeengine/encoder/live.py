@@ -6,7 +6,7 @@ Its file is an ONNX model with what else has to be known in its metadata.
 import json
 import threading
 import weakref
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from hashlib import sha256
@@ -202,7 +202,7 @@ class OpenEncoder:
         self.n_layers, self.n_channels = (len(inputs) - 4) // 2, _width_of(inputs)
         self._rings = [f"{name}_{k}" for name in ("keys", "values") for k in range(self.n_layers)]
         self._outputs = ["states", "next_pending", *(f"new_{name}" for name in self._rings)]
-        self._batch: _JoinedRings | None = None
+        self._batches: list[_JoinedRings] = []
         self._batching = threading.Lock()
         self._anchor_states: dict[int, Float32Array] = {}
         if inputs != live_inputs(self.n_layers, self.n_channels):
@@ -281,12 +281,12 @@ class OpenEncoder:
         if len(streams) == 1:
             return self._run(streams, n, [0], [ring[np.newaxis] for ring in streams[0].rings])
         with self._batching:
-            rows = None if self._batch is None else self._batch.rows_of(streams)
-            if self._batch is None or rows is None:
-                old, self._batch, rows = self._batch, _JoinedRings(streams), list(range(len(streams)))
-                if old is not None:
-                    old.dissolve()
-            return self._run(streams, n, rows, self._batch.rings)
+            known = ((batch, batch.rows_of(streams)) for batch in self._batches)
+            batch, rows = next(((batch, rows) for batch, rows in known if rows is not None), (None, []))
+            if batch is None:
+                batch, rows = _JoinedRings(streams), list(range(len(streams)))
+                self._batches = [batch, *(old for old in self._batches if old.stays())]
+            return self._run(streams, n, rows, batch.rings)
 
     def _run(
         self, streams: Sequence["EncoderStream"], n: int, rows: Sequence[int], rings: Sequence[Float32Array]
@@ -328,16 +328,24 @@ class _JoinedRings:
 
     def rows_of(self, streams: Sequence["EncoderStream"]) -> list[int] | None:
         """Return where sounds lie; None where one lies elsewhere, or where they are less than half of all."""
-        known = {id(kept()): row for row, kept in enumerate(self._streams)}
+        known = {id(stream): row for row, stream in self._here()}
         rows = [known.get(id(stream), -1) for stream in streams]
         return None if min(rows) < 0 or 2 * len(rows) < len(self._streams) else rows
 
-    def dissolve(self) -> None:
-        """Give those that are still here rings of their own."""
-        for kept in self._streams:
+    def stays(self) -> bool:
+        """Return whether half of its sounds are still here; if not, give those that are rings of their own."""
+        here = [stream for _, stream in self._here()]
+        if 2 * len(here) >= len(self._streams):
+            return True
+        for stream in here:
+            stream.rings = [ring.copy() for ring in stream.rings]
+        return False
+
+    def _here(self) -> Iterator[tuple[int, "EncoderStream"]]:
+        for row, kept in enumerate(self._streams):
             stream = kept()
             if stream is not None and stream.rings[0].base is self.rings[0]:
-                stream.rings = [ring.copy() for ring in stream.rings]
+                yield row, stream
 
 
 class EncoderStream:

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
+from phonemeengine.encoder.graph import N_HALVES
 from phonemeengine.encoder.head import N_OUTPUTS, softmax
 from phonemeengine.encoder.live import LOOK_AHEADS, EncoderStream, OpenEncoder
 from phonemeengine.encoder.mel import whisper_log_mels
@@ -61,6 +62,7 @@ class RealTimeRecogniser(ScoredRecogniser):
         self.look_ahead = max(n_ahead, self._network.look_ahead)
         self._encoder, self._sensitivity, self._known = encoder, sensitivity, states
         self._head = encoder.fitting(model.live_head)
+        self._penalties = np.float32(encoder.mix.weakened) * np.log(np.asarray(encoder.mix.priors, np.float32))
         self._stream = EncoderStream(encoder, states_ahead(look_ahead))
         own = self._network.kin
         self.kin: object | None = None if own is None or states is not None else (id(encoder), n_ahead, own)
@@ -97,28 +99,34 @@ class RealTimeRecogniser(ScoredRecogniser):
             states = self._encoder.encode([each._stream for each in recognisers], logarithms)
         else:
             states, self._known = [self._known], self._known[:0]  # all of them wait for what the network says
-        told = zip(recognisers, windows, states, by_network, strict=True)
-        return [each._answer(len(block), each._head.logits(of), *known) for each, block, of, known in told]
+        # what has no memory is asked once for all of them
+        ends = N_HALVES * np.cumsum([len(of) for of in states])[:-1]
+        logits = self._head.logits(np.concatenate(states))
+        said = np.concatenate((softmax(logits[:, :N_PHONEMES]), softmax(logits[:, N_PHONEMES:])), axis=1)
+        told = zip(recognisers, windows, np.split(said, ends), by_network, strict=True)
+        due = [each._due(len(block), by_encoder, *known) for each, block, by_encoder, known in told]
+        ends = np.cumsum([len(first) for first, _ in due])[:-1]
+        first, second = (np.concatenate(part) for part in zip(*due, strict=True))
+        mix, parts = self._encoder.mix, (slice(None, N_PHONEMES), slice(N_PHONEMES, None))
+        found = (agreed(first[:, p], second[:, p], mix.encoder_share, self._penalties[p]) for p in parts)
+        split = (np.split(scores, ends) for scores in found)
+        return [each._recognition(*scores) for each, *scores in zip(recognisers, *split, strict=True)]
 
-    def _answer(
-        self, n_came: int, logits: Float32Array, shares: Float32Array, visemes: Float32Array | None
-    ) -> Recognition:
-        """Return the answers that are due now that `n_came` more frames came."""
+    def _due(
+        self, n_came: int, by_encoder: Float32Array, shares: Float32Array, visemes: Float32Array | None
+    ) -> tuple[Float32Array, Float32Array]:
+        """Return what both said of the frames whose answers are due now that `n_came` more frames came."""
         # The encoder answers for two frames at once, and either may be quicker than the other; the delay is constant.
         n_early = min(self._n_early, n_came)
         self._n_early -= n_early
         n = n_came - n_early
-        mix = self._encoder.mix
         fine = np.ones((len(shares), N_OUTPUTS - N_PHONEMES), np.float32) if visemes is None else visemes
-        said = np.concatenate((softmax(logits[:, :N_PHONEMES]), softmax(logits[:, N_PHONEMES:])), axis=1)
-        self._by_encoder = np.concatenate((self._by_encoder, said))
+        self._by_encoder = np.concatenate((self._by_encoder, by_encoder))
         self._by_network = np.concatenate((self._by_network, np.concatenate((shares, fine), axis=1)))
         first, second = self._by_encoder[:n], self._by_network[:n]
         self._by_encoder, self._by_network = self._by_encoder[n:], self._by_network[n:]
-        penalties = np.float32(mix.weakened) * np.log(np.asarray(mix.priors, np.float32))
-        phonemes, visemes = (
-            agreed(first[:, part], second[:, part], mix.encoder_share, penalties[part])
-            for part in (slice(None, N_PHONEMES), slice(N_PHONEMES, None))
-        )
+        return first, second
+
+    def _recognition(self, phonemes: Float32Array, visemes: Float32Array) -> Recognition:
         scores = self._sensitivity.apply(phonemes)
         return Recognition(scores.argmax(axis=1).astype(np.uint8), scores, visemes)

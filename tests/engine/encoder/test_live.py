@@ -113,11 +113,23 @@ def test_many_sounds_together_are_answered_as_each_alone(lengths):
         )
 
 
+def test_sounds_that_take_turns_in_halves_keep_the_memory_that_each_half_shares():
+    model = open_live_encoder(SMALL)
+    streams = [EncoderStream(model, 0) for _ in range(6)]
+    for half in (streams[:3], streams[3:]):
+        model.encode(half, [log_mels(5)] * 3)
+    shared = [stream.rings[0].base for stream in streams]
+    for half in (streams[:3], streams[4:]):  # one of them has nothing new
+        model.encode(half, [log_mels(5)] * len(half))
+    assert all(stream.rings[0].base is base for stream, base in zip(streams, shared, strict=True))
+
+
 def test_sounds_that_ended_leave_no_memory_behind():
     model = open_live_encoder(SMALL)
     streams = [EncoderStream(model, 0) for _ in range(3)]
     model.encode(streams, [log_mels(5)] * 3)
-    lonely = streams[2]
+    lonely = streams.pop()
+    streams.clear()
     model.encode([EncoderStream(model, 0) for _ in range(2)], [log_mels(5)] * 2)
     assert lonely.rings[0].base is None  # of the three that were together, the memory of two is free
 
