@@ -1,18 +1,29 @@
 """The model with which commands recognise files: the best that a preset has, or the one that is asked for."""
 
 import json
+import logging
+import sys
+from contextlib import redirect_stderr
+from dataclasses import replace
 from pathlib import Path
+from urllib.request import urlopen
 
 import numpy as np
 import pytest
 import soundfile
 
 from phonemeanalyser.cli.main import main
+from phonemeanalyser.server.service import ServerSettings
 from phonemeengine import Phoneme, Preset, SoundReader, cues, for_files, load_preset, transcribe
 from phonemeengine.analyser import analyse_file
+from phonemeengine.encoder.live import build_live_encoder
 from phonemeengine.presets.files import save_preset
+from phonemeengine.presets.model_choice import for_live_use, model_in_words
 from phonemeengine.settings import SAMPLE_RATE, AnalysisSettings, ModelKind
+from tests.cli.test_progress_bar import Terminal
+from tests.fakes.encoder_weights import encoder_weights
 from tests.models import centred_model, tone_model
+from tests.server.servers import served
 from tests.sounds import silence, tone
 from tests.tables import rows_of
 
@@ -81,6 +92,38 @@ def test_a_model_that_is_missing_is_told_and_the_real_time_model_serves(capsys, 
 def test_a_model_that_a_preset_lacks_is_told(capsys, sound):
     assert main(["analyse", str(sound), "--preset", "thesis", "--model", "offline"]) == 0
     assert "has no other model for files" in capsys.readouterr().err
+
+
+@pytest.mark.usefixtures("portaudio")
+@pytest.mark.parametrize(
+    ("missing", "model", "why"),
+    [
+        (None, "encoder, look-ahead 20 ms", None),
+        ("onnxruntime", "learned, look-ahead 20 ms", "needs onnxruntime, which is not installed; install phonemeana"),
+        ("both.encoder.onnx", "learned, look-ahead 20 ms", "both.encoder.onnx: there is no such file"),
+    ],
+)
+def test_api_listen_and_server_say_which_model_recognises_live_sound_and_why_not_the_encoder(
+    missing, model, why, preset, caplog, monkeypatch
+):
+    # bytes of its own, since a model that was opened once stays open
+    encoder = build_live_encoder(encoder_weights(n_layers=1, n_channels=64), about={"missing": missing})
+    save_preset(replace(load_preset(preset), live_encoder=encoder), preset)
+    if missing == "onnxruntime":
+        monkeypatch.setitem(sys.modules, missing, None)
+    elif missing is not None:
+        preset.with_name(missing).unlink()
+    live = for_live_use(load_preset(preset))
+    assert (model_in_words(live), len(live.warnings)) == (model, why is not None)
+    with redirect_stderr(Terminal()) as terminal:
+        assert main(["listen", "--preset", str(preset)]) == 1  # there is no microphone
+    *notes, named, _no_microphone = terminal.getvalue().splitlines()
+    assert named == f"phonemeanalyser: model: {model}"
+    assert notes == [f"phonemeanalyser: both: note: {warning}" for warning in live.warnings]
+    assert all(why in warning for warning in live.warnings)
+    with caplog.at_level(logging.WARNING), served(ServerSettings(presets=[preset], port=0)) as address:
+        assert json.load(urlopen(address))["recogniser"] == model
+    assert [record.getMessage() for record in caplog.records] == [f"both: {warning}" for warning in live.warnings]
 
 
 def test_scores_are_of_the_real_time_model_unless_another_is_named(capsys, tmp_path, sound, preset):

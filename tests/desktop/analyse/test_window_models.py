@@ -1,5 +1,6 @@
 """What files are heard with in the window: as the preset says, as the user chooses, and as is told."""
 
+import sys
 from dataclasses import replace
 
 import numpy as np
@@ -117,13 +118,26 @@ def test_only_what_is_there_is_offered(desktop, qtbot, tmp_path, whisper):
     assert offered(window) == [True, False, True, True]
 
 
-def test_a_preset_whose_model_for_files_is_missing_is_loaded_and_that_is_told(desktop, qtbot, tmp_path):
-    save_preset(PRESET, tmp_path / "both.toml")
-    (tmp_path / "both.files.npz").unlink()
-    window = shown(desktop, qtbot)
-    window.dialogs.presets.load(tmp_path / "both.toml")
-    assert "both.files.npz: the model cannot be read" in window.banner.label.text()
-    assert (desktop.preset.preset.name, desktop.session.source.preset.model_kind) == ("both", ModelKind.REAL_TIME)
+def test_a_preset_whose_model_is_missing_is_loaded_and_that_is_told(desktop, qtbot, tmp_path, monkeypatch):
+    window, small = shown(desktop, qtbot), "Learned, look-ahead 20 ms"
+    for missing, told, model in (
+        ("both.files.npz", "both.files.npz: the model cannot be read", "encoder, look-ahead 20 ms"),
+        ("both.encoder.onnx", "both.encoder.onnx: there is no such file", small),
+        ("onnxruntime", "needs onnxruntime, which is not installed", small),
+    ):
+        # bytes of its own, since a model that was opened once stays open
+        encoder = build_live_encoder(encoder_weights(n_layers=1, n_channels=64), about={"missing": missing})
+        save_preset(replace(PRESET, live_encoder=encoder), tmp_path / "both.toml")
+        if missing == "onnxruntime":
+            monkeypatch.setitem(sys.modules, missing, None)
+        else:
+            (tmp_path / missing).unlink()
+        window.dialogs.presets.load(tmp_path / "both.toml")
+        assert told in window.banner.label.text()
+        assert desktop.preset.preset.name == "both"
+        desktop.session.set_source(SourceKind.MICROPHONE)
+        window.status.refresh(frozen=False)
+        assert f"Model: {model}" in window.status.left.text()
 
 
 def test_what_nobody_knows_beforehand_is_heard_live(window, desktop):
