@@ -54,6 +54,19 @@ CASES: dict[str, Words] = {
         "style": ["mumbling"],
         **SPOKEN,
     },
+    "feelings": {
+        "format": ["livelink-csv"],
+        "text": [
+            "[smile] Meine Mama [angry 0.6] mag Musik, 😢 und mein "
+            '<express-as style="excited" styledegree="2">Papa</express-as> backt am *Samstag* gute Pizza!'
+        ],
+        "language": ["de"],
+        "accept-text": ["true"],
+        "text-feeling": ["0.8"],
+        "feeling": ["0.7"],
+        "style": ["theatrical"],
+        "expression": ["AU12L=0.2"],
+    },
     "pinyin": {
         "format": ["livelink-csv"],
         "text": ["你好，世界。"],
@@ -74,6 +87,8 @@ CASES: dict[str, Words] = {
         "choice": ["nearest"],
         "without": ["poses,window"],
         "keywords": ["keys.toml"],
+        "style": ["mine.toml"],
+        "expression": ["mami.csv"],
         "units": ["units.csv"],
         "pinyin-table": ["pinyin.toml"],
         "longest": ["60"],
@@ -103,6 +118,13 @@ CASES: dict[str, Words] = {
     },
 }
 """Options with their values as they are written, by what is tried."""
+STYLE = """format = "phonemeanalyser style 1"
+name = "mine"
+amounts = { mumbling = 0.4, theatrical = 0.2, asymmetry = 0.3 }
+closures = { p = { width = 1.4, priority = 3 } }
+tongue = { t = { priority = 2 } }
+reductions = { AU12 = 0.2 }
+"""
 
 
 @pytest.fixture
@@ -119,6 +141,7 @@ def folder(case: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     keys = 'format = "phonemeanalyser keywords 1"\n[gestures.bow]\nshortest = 0.5\nchannels = { headPitch = [-20] }\n'
     (tmp_path / "keys.toml").write_text(keys + '[languages.en]\nbow = ["mami"]\n', encoding="utf-8")
     (tmp_path / "pinyin.toml").write_bytes(USUAL_PINYIN_TABLE.read_bytes())
+    (tmp_path / "mine.toml").write_text(STYLE, encoding="utf-8")
     edited = KeyCurve(np.array([0.1, 0.3, 0.5]), np.array([0, 0.7, 0.0]))
     write_keys(KeyLayer({"jawOpen": edited}), "edited.keys.toml")
     save_face_network(still_face(), tmp_path / "ada.face")

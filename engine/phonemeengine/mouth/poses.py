@@ -12,7 +12,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
-from phonemeengine.labels.articulation import narrowest
+from phonemeengine.labels.articulation import ARTICULATIONS, narrowest
 from phonemeengine.mouth.style_numbers import PoseNumbers
 from phonemeengine.mouth.table import movestates_of, phone_named, shape_named, shapes_in
 from phonemeengine.storage.strict_table import StrictTable, load_text, parse_toml
@@ -63,6 +63,10 @@ class PoseTable:
     def pose_of(self, name: str) -> Pose | None:
         """Return the pose of a phone, that of the narrowest class that has one; None for none, and for no phone."""
         return narrowest(self.phones, name, None)
+
+    def entry(self, name: str) -> Pose | None:
+        """Return the pose of a class, or of a letter, which may be that of its narrowest class; None for none."""
+        return self.phones.get(name) if name in ARTICULATIONS else self.pose_of(name)
 
     def weights(self, shape: str, channels: tuple[str, ...]) -> Float32Array:
         """Return the weights of a shape, 1 for the whole movement; nan where it says nothing of a channel."""

@@ -204,7 +204,7 @@ class Style:
         phones, shapes, phonemes = dict(table.phones), dict(table.shapes), dict(table.phonemes)
         closed, closed_phonemes = set(table.closed_phones), set(table.closed_phonemes)
         for name, pose in self.closures.phones.items():
-            shape, known = self.closures.shapes[pose.shape], usual.phones.get(name)
+            shape, known = self.closures.shapes[pose.shape], usual.entry(name)
             phoneme = _PHONEMES.get(name, Phoneme.UNIDENTIFIED)
             before = table.shape_of(phoneme, name)
             if known is None or usual.shapes[known.shape] != shape:
@@ -398,14 +398,14 @@ def style_to_toml(style: Style) -> str:
 
 def _changed_poses(own: PoseTable, usual: PoseTable) -> Iterable[tuple[str, dict[str, Any]]]:
     for name, pose in own.phones.items():
-        known = usual.phones.get(name)
+        known = usual.entry(name)
         entry: dict[str, Any] = {
             part: getattr(pose, part)
             for part in ("priority", "firm", "width")
             if getattr(pose, part) != getattr(known or Pose(""), part)
         }
         shape = own.shapes[pose.shape]
-        if known is None or usual.shapes[known.shape] != shape:
+        if known is None or name not in usual.phones or usual.shapes[known.shape] != shape:
             entry["shape"] = dict(shape)
         if entry:
             yield name, entry
@@ -480,8 +480,8 @@ def _poses_in(table: StrictTable, usual: PoseTable, movestates: tuple[str, ...])
     phones, shapes = dict(usual.phones), dict(usual.shapes)
     for key, entry in table.tables_by_name():
         name = phone_named(key)
-        entry.check_keys(() if name in phones else ("shape",), ("shape", "priority", "firm", "width"))
-        pose = phones.get(name, Pose(_own_shape(name)))
+        pose = usual.entry(name) or Pose(_own_shape(name))
+        entry.check_keys(() if pose.shape in shapes else ("shape",), ("shape", "priority", "firm", "width"))
         if "shape" in entry:
             pose = replace(pose, shape=_own_shape(name))
             shapes[pose.shape] = _percentages_of(entry.table("shape"), movestates)

@@ -22,6 +22,7 @@ from phonemeengine.mouth.style import (
     save_style,
     shipped_styles,
     style_of,
+    style_to_toml,
 )
 from phonemeengine.mouth.table import load_table, shipped_tables
 from phonemeengine.phonemes import Phoneme
@@ -91,6 +92,18 @@ def test_firmness_of_a_closure_acts_on_rules():
     assert moved.shapes[moved.shape_of(Phoneme.P)] == table.shapes[table.shape_of(Phoneme.P)]
     firm = style_of(f'format = "{FORMAT}"\n[closures.o]\nfirm = true\n').on_table(table)
     assert (firm.closes(Phoneme.O), firm.shape_of(Phoneme.O, "o")) == (True, table.shape_of(Phoneme.O))
+
+
+def test_a_letter_has_what_it_does_not_give_from_its_class():
+    wide = style_of(f'format = "{FORMAT}"\n[closures.f]\nwidth = 2.0\n[tongue.t]\npriority = 2\n')
+    assert wide.closures.phones["f"] == replace(wide.closures.phones["labiodental"], width=2.0)
+    assert wide.tongue.phones["t"] == replace(wide.tongue.phones["alveolar"], priority=2.0)
+    again = style_of(style_to_toml(wide))
+    for own, read, letter in ((wide.closures, again.closures, "f"), (wide.tongue, again.tongue, "t")):
+        pose, same = own.phones[letter], read.phones[letter]
+        assert replace(same, shape=pose.shape) == pose
+        assert read.shapes[same.shape] == own.shapes[pose.shape]
+    assert wide.on_table(TABLE).shape_of(Phoneme.SZ, "f") == TABLE.shape_of(Phoneme.SZ, "f")
 
 
 def test_the_tongue_of_a_style_moves_with_rules_where_a_face_has_one():
