@@ -52,6 +52,16 @@ def test_feelings_are_moved_changed_deleted_added_and_taken_back(stage: Stage, f
     assert texts.text == "[smile 0.6] We left today.\nThey lost."
 
 
+def test_a_span_grows_with_what_is_spoken(stage: Stage, felt: FeltText) -> None:
+    texts, said = stage.talking.text, stage.talking.text.utterance
+    assert said is not None
+    texts.set_text("We left today. [smile 0.6] They lost.")
+    for n, found in ((3, []), (5, [(0.8, "smile 0.6")])):  # the second sentence begins where the first one ends
+        part = Utterance(said.words[:n], said.words[n - 1].end)
+        texts.words.put(KnownWords(part, text=texts.text))
+        assert spans(felt) == found
+
+
 def test_a_direction_that_cannot_be_followed_is_refused(stage: Stage, felt: FeltText, qtbot: QtBot) -> None:
     with qtbot.waitSignal(stage.talking.error) as said:
         felt.write(felt.spans[0], "smiel 0.6")

@@ -79,20 +79,20 @@ class FeltText(QObject):
             timed = () if said is None else tuple(timed_feelings(text, said))
         except TextError:
             timed = ()  # while it is being typed; exports refuse it
-        if timed != self.timed:
-            self.timed = timed
-            ends = [*(start for start, _ in timed[1:]), *([said.duration] if said is not None and timed else [])]
-            self.spans = tuple(
-                FeltSpan(
-                    start,
-                    end,
-                    ", ".join(f"{name} {share:.2g}" for name, share in felt.shares.items()),
-                    felt.offset,
-                    felt.directed,
-                )
-                for (start, felt), end in zip(timed, ends, strict=True)
-                if felt.shares and end > start
+        ends = [*(start for start, _ in timed[1:]), *([said.duration] if said is not None and timed else [])]
+        spans = tuple(
+            FeltSpan(
+                start,
+                end,
+                ", ".join(f"{name} {share:.2g}" for name, share in felt.shares.items()),
+                felt.offset,
+                felt.directed,
             )
+            for (start, felt), end in zip(timed, ends, strict=True)
+            if felt.shares and end > start
+        )
+        if (timed, spans) != (self.timed, self.spans):  # while a text is spoken, only the last end may change
+            self.timed, self.spans = timed, spans
             self._expression.take_text(timed)
             self.changed.emit()
 
