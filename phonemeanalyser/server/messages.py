@@ -19,6 +19,7 @@ from phonemeengine.labels.visemes import viseme_of
 from phonemeengine.live.incoming_speech import IncomingSpeech, RecognisedPiece
 from phonemeengine.mouth.blending import VisemeBlender
 from phonemeengine.mouth.exports.viseme_events import EventService
+from phonemeengine.presets.model_choice import model_in_words
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import FRAME_PERIOD
 
@@ -110,7 +111,13 @@ def later_words_of(message: str) -> LaterWords:
 def ready(start: StreamStart, speech: IncomingSpeech) -> str:
     """Return the first message to a client, before it sends its sound."""
     told = {"preset": start.preset.name, "period": FRAME_PERIOD, "latency": round(speech.latency, 4)}
+    told |= _recogniser_of(speech)
     return json.dumps({"ready": told | ({"movestates": start.table.movestates} if start.table else {})})
+
+
+def recogniser(speech: IncomingSpeech) -> str:
+    """Return which model recognises from now on."""
+    return json.dumps(_recogniser_of(speech))
 
 
 def words(grown: GrownWords) -> str:
@@ -147,12 +154,17 @@ def end(speech: IncomingSpeech) -> str:
     """Return what is said last."""
     told: dict[str, Any] = {"end": round(speech.seconds, 4)}
     told |= {"other_text": True} if speech.is_other_text else {}
+    told |= _recogniser_of(speech) if speech.gave_encoder_up else {}
     return json.dumps(told | ({"silenced": speech.n_silenced} if speech.n_silenced else {}))
 
 
 def error(sentence: str) -> str:
     """Return why something is refused."""
     return json.dumps({"error": sentence})
+
+
+def _recogniser_of(speech: IncomingSpeech) -> dict[str, Any]:
+    return {"recogniser": model_in_words(speech.analyser.preset)}
 
 
 def _word(word: Word) -> dict[str, Any]:

@@ -203,6 +203,7 @@ class Service:
             "formats": [*FORMATS],
             "tables": [*self._repertoire.tables],
             "streams": self._n_streams,
+            "with_encoder": len(self._turns.with_encoder),
             "most_streams": self._limits.max_streams,
             "files": self._exporter.n_files,
         }

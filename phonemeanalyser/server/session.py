@@ -142,6 +142,12 @@ class StreamSession:
         self._room.set()
         return np.concatenate(parts) if len(parts) > 1 else parts[0]
 
+    def give_encoder_up(self) -> None:
+        """Go on with the small network alone, and tell the client, unless it gets nothing but events of a service."""
+        self.speech.give_encoder_up()
+        if not self._start.events:
+            self._unsent.put_nowait(messages.recogniser(self.speech))
+
     def tell(self, found: RecognisedPiece) -> None:
         """Have the client told what is known of a piece."""
         answers = [messages.frames(found, self._start)] if len(found.analysis) and not self._start.events else []

@@ -2,6 +2,7 @@
 
 import asyncio
 import logging
+import sys
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
@@ -21,8 +22,10 @@ MANY = 8
 HALVED = 32
 """Streams from which on two halves of them alternate: each then has two chunks in every other turn, and all together
 cost a third less; a frame comes 20 ms later, of the 40 ms that are left of a tenth of a second."""
-
-
+LATE, LATE_FOR = 0.02, 0.3
+"""Seconds by which turns begin late, and for which they do, until half of the streams give the real-time model up."""
+ONE_MORE = 60.0
+"""Seconds without such a turn after which one stream more may have it."""
 _T = TypeVar("_T")
 _log = logging.getLogger(__name__)
 
@@ -33,6 +36,9 @@ class Stream(Protocol):
     @property
     def speech(self) -> IncomingSpeech:
         """What analyses it."""
+
+    def give_encoder_up(self) -> None:
+        """Go on with the small network alone."""
 
     def next_piece(self) -> Float32Array | None:
         """Return what to analyse now, not much at once; None where nothing waits, or the answers are not taken."""
@@ -47,18 +53,57 @@ class Stream(Protocol):
         """Take why it cannot be analysed."""
 
 
+class EncoderQuota:
+    """Says how many streams may have the real-time model: half as many while turns are late, then slowly more.
+
+    That is additive increase and multiplicative decrease, as networks share a line (D. Chiu and R. Jain, Computer
+    Networks and ISDN Systems 17(1), 1989).
+
+    Parameters
+    ----------
+    clock : gives seconds.
+    """
+
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        self._clock, self._most = clock, sys.maxsize
+        self._late_since: float | None = None
+        self._calm_since = clock()
+
+    def after(self, late: float, n: int) -> int:
+        """Return how many streams may have it after a turn that began `late` seconds behind, while `n` have it."""
+        now = self._clock()
+        if late <= LATE:
+            self._late_since = None
+            if now - self._calm_since >= ONE_MORE:
+                self._most, self._calm_since = self._most + 1, now
+            return self._most
+        self._calm_since = now
+        if self._late_since is None:
+            self._late_since = now
+        elif now - self._late_since >= LATE_FOR and n:
+            self._most, self._late_since = n // 2, now
+        return self._most
+
+
 class Turns:
     """Gives all streams their turns, as long as something waits in any.
 
     Parameters
     ----------
     looking : seconds of a turn after which no more words are looked for.
+    quota : how many streams may have the real-time model; the newest ones give it up first.
     """
 
-    def __init__(self, looking: float = LOOKING) -> None:
-        self._looking = looking
+    def __init__(self, looking: float = LOOKING, quota: EncoderQuota | None = None) -> None:
+        self._looking, self._quota = looking, quota or EncoderQuota()
         self._streams: dict[Stream, bool] = {}
         self._half = self._is_planned = False
+        self._due = 0.0
+
+    @property
+    def with_encoder(self) -> list[Stream]:
+        """The streams that the real-time model recognises, the newest last."""
+        return [stream for stream in self._streams if stream.speech.has_encoder]
 
     def join(self, stream: Stream) -> None:
         """Have a stream take part."""
@@ -73,10 +118,14 @@ class Turns:
         if not self._is_planned:
             self._is_planned = True
             seconds = GATHER if len(self._streams) < MANY else GATHER_OF_MANY
-            asyncio.get_running_loop().call_later(seconds, self._take)
+            loop = asyncio.get_running_loop()
+            self._due = loop.time() + seconds
+            loop.call_at(self._due, self._take)
 
     def _take(self) -> None:
         self._is_planned = False
+        if len(self._streams) >= MANY:  # a few that send faster than they speak may well keep it busy
+            self._keep_in_time(asyncio.get_running_loop().time() - self._due)
         is_halved = len(self._streams) >= HALVED
         pieces = self._next_pieces(is_halved) or (self._next_pieces(is_halved) if is_halved else {})
         if not pieces:
@@ -88,6 +137,15 @@ class Turns:
             else:
                 _safely(stream, partial(stream.tell, known))
         self._look(pieces)
+
+    def _keep_in_time(self, late: float) -> None:
+        """Have the newest streams give the real-time model up where turns are late."""
+        having = self.with_encoder
+        leaving = having[self._quota.after(late, len(having)) :]
+        if leaving:
+            _log.warning("streams come late: %d of %d go on with the small network", len(leaving), len(having))
+        for stream in leaving:
+            _safely(stream, stream.give_encoder_up)
 
     def _next_pieces(self, is_halved: bool) -> dict[Stream, Float32Array]:
         """Return what waits, of all streams or of the other half than before."""

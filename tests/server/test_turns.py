@@ -1,13 +1,14 @@
 """Streams take turns: each is heard a little at a time, and what fails in one stops no other."""
 
 import asyncio
+from typing import Any
 
 import numpy as np
 import pytest
 
 from phonemeanalyser.server.files import FileTurns
 from phonemeanalyser.server.session import Pace
-from phonemeanalyser.server.turns import HALVED, Turns
+from phonemeanalyser.server.turns import HALVED, LATE, LATE_FOR, MANY, ONE_MORE, EncoderQuota, Turns
 from phonemeengine import EngineError, GrownWords, load_preset, words_of
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import Encoding, StreamFormat
@@ -27,6 +28,9 @@ class Stream:
         self.n_pieces, self.fault = n_pieces, fault
         self.n_frames = self.n_looks = 0
         self.error: EngineError | None = None
+
+    def give_encoder_up(self) -> None:
+        self.speech.give_encoder_up()
 
     def next_piece(self) -> Float32Array | None:
         if self.fault == "piece":
@@ -48,7 +52,7 @@ class Stream:
         self.error = error
 
 
-def taken(*streams: Stream, **options: float) -> None:
+def taken(*streams: Stream, **options: Any) -> None:
     """Have streams take turns until nothing waits."""
 
     async def take() -> None:
@@ -78,6 +82,36 @@ def test_two_halves_of_many_streams_alternate_and_all_are_heard() -> None:
     first, second, *others = (set(order[k : k + HALVED // 2]) for k in range(0, 2 * HALVED, HALVED // 2))
     assert not first & second
     assert others == [first, second]
+
+
+def test_half_of_the_streams_give_the_encoder_up_while_turns_are_late_and_slowly_more_may_have_it() -> None:
+    now = [0.0]
+    quota = EncoderQuota(lambda: now[0])
+
+    def after(seconds: float, late: float, n: int) -> int:
+        now[0] += seconds
+        return quota.after(late, n)
+
+    assert after(0.0, 2 * LATE, 50) >= 50  # once is no load
+    assert after(LATE_FOR, LATE, 50) >= 50
+    assert after(900.0, 2 * LATE, 50) >= 50  # nor is once more
+    assert [after(1.1 * LATE_FOR, 2 * LATE, n) for n in (50, 25, 12)] == [25, 12, 6]
+    assert after(LATE_FOR / 2, 2 * LATE, 6) == 6  # they have not helped yet
+    assert after(LATE_FOR, LATE, 6) == 6
+    assert [after(ONE_MORE, 0.0, 6) for _ in range(3)] == [7, 8, 9]
+
+
+def test_the_newest_streams_give_the_encoder_up_first() -> None:
+    class Few(EncoderQuota):
+        def after(self, late: float, n: int) -> int:
+            return MANY - 2
+
+    streams = [Stream(1) for _ in range(MANY)]
+    for stream in streams:
+        stream.speech = IncomingSpeech(load_preset("learned"), StreamFormat(Encoding.F32))
+    taken(*streams, quota=Few())
+    assert [stream.speech.has_encoder for stream in streams] == (MANY - 2) * [True] + 2 * [False]
+    assert [stream.n_frames > 0 for stream in streams] == MANY * [True]
 
 
 def test_words_are_looked_for_in_all_streams_while_there_is_little_time() -> None:

@@ -20,7 +20,7 @@ from phonemeengine.presets.model_choice import for_live_use, with_small_network
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.real_time import real_time_look_ahead
 from phonemeengine.recognition.spec import spec_of
-from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW
+from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW, ModelKind
 from phonemeengine.text.pronunciation import ScriptWord
 
 MOST_LATE = 0.06
@@ -98,6 +98,7 @@ class IncomingSpeech:
     analyser : what analyses it.
     is_foreign : whether a recogniser of another package does.
     n_unlooked : frames in which no words of the text have been looked for yet.
+    gave_encoder_up : whether `give_encoder_up` has changed something.
     """
 
     def __init__(
@@ -110,8 +111,9 @@ class IncomingSpeech:
         felt: bool = False,
         service: EventService | None = None,
     ) -> None:
-        self._sound = IncomingSound(form)
+        self._sound, self._preset = IncomingSound(form), preset
         self.analyser = Analyser(in_time(preset, self._sound.delay), phonemes_only=True)
+        self.gave_encoder_up = False
         self.is_foreign = spec_of(preset.recogniser).entry is not None
         self._morpher = Morpher(table) if table is not None else None
         self._aligner = GrowingAligner() if with_text else None
@@ -134,6 +136,18 @@ class IncomingSpeech:
     def latency(self) -> float:
         """From the last sample of a frame to its phoneme, without the work, seconds."""
         return BEYOND + self._sound.delay + self.analyser.recogniser.look_ahead * FRAME_PERIOD
+
+    @property
+    def has_encoder(self) -> bool:
+        """Whether the real-time model recognises, with the small network."""
+        return self.analyser.preset.model_kind is ModelKind.ENCODER
+
+    def give_encoder_up(self) -> None:
+        """Have the small network alone recognise from the next frame on, which costs a third; no frame is lost."""
+        if self.has_encoder:
+            small = replace(self._preset, live_model=ModelKind.REAL_TIME)
+            self.analyser.set_preset(in_time(small, self._sound.delay))
+            self.gave_encoder_up = True
 
     @property
     def is_other_text(self) -> bool:
