@@ -81,9 +81,13 @@ function closed(opened) {
 function refuse() {
   const damaged = Uint8Array.from(preset);
   damaged[1000] ^= 1;
+  const { version } = JSON.parse(readFileSync(place("package.json")));
+  const older = code.toString("latin1").replace(version, version.replace(/\d/g, "0"));
   for (const wrong of [
     () => new EarModel(new WebAssembly.Module(code), damaged),
     () => new EarModel(new WebAssembly.Module(code), code),
+    () => new EarModel(new WebAssembly.Module(Buffer.from(older, "latin1")), preset),
+    () => new EarModel(new WebAssembly.Module(Uint8Array.of(0, 97, 115, 109, 1, 0, 0, 0)), preset),
     () => model().ear(500),
     () => model().mouth("nothing"),
     () => model().forWorklet(500),

@@ -1,6 +1,7 @@
 """The C# for Unity and Godot: compiled by Mono, and run with the library for Linux."""
 
 import os
+import re
 import shutil
 import struct
 import subprocess
@@ -9,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import phonemeengine
 from phonemeengine import Morpher, Phoneme, load_preset, load_table, ship
 from phonemeengine.labels.visemes import NO_VISEME, VISEME_PHONES, Viseme
 from phonemeengine.mouth.blending import blended_weights
@@ -57,6 +59,10 @@ def in_mono(program: Path, library: Path, *words: str) -> "subprocess.CompletedP
     command = ["mono", str(program), *words]
     sound, where = SOUND.tobytes(), program.parent  # where Mono writes what it knows of a crash
     return subprocess.run(command, input=sound, capture_output=True, env=environment, cwd=where, check=False)
+
+
+def native_library() -> Path:
+    return compiled_library("libear.so", [SOURCES / "ear.c"], "-O3", "-shared", "-fPIC")
 
 
 def test_it_hears_and_moves_as_the_engine_does(folder: Path, tmp_path: Path) -> None:
@@ -108,6 +114,19 @@ def test_what_cannot_be_opened_is_an_exception_with_a_sentence(folder: Path, tmp
     assert done.stderr.decode().strip() == "these bytes are no .ear file; make one with phonemeanalyser ship"
 
 
+@pytest.mark.parametrize("is_there", [True, False])
+def test_a_library_that_is_older_or_not_there_is_an_exception_with_a_sentence(is_there: bool, tmp_path: Path) -> None:
+    program, library = tmp_path / "Listen.exe", tmp_path / "libear.so"
+    compiled(program, [OURS / "Listen.cs", QUEUE, SHIPPING / "csharp" / "Ear.cs"])
+    if is_there:
+        version = phonemeengine.__version__.encode()
+        older = native_library().read_bytes().replace(version, re.sub(rb"\d", b"0", version))
+        library.write_bytes(older)
+    done = in_mono(program, library, str(OURS / "Listen.cs"), "44100")
+    words = "the library ear has the version 0.0.0" if is_there else "the library ear cannot be used"
+    assert (done.returncode, done.stderr.decode()[: len(words)]) == (1, words)
+
+
 def test_the_library_of_macos_is_for_both_processors(folder: Path) -> None:
     (library,) = folder.rglob("libear.dylib")
     (windows,) = folder.rglob("ear.dll")
@@ -127,7 +146,7 @@ def test_what_was_disposed_of_is_refused_by_every_member(tmp_path: Path) -> None
     program, preset = tmp_path / "Disposed.exe", tmp_path / "preset.ear"
     preset.write_bytes(format_ear(load_preset("thesis")))
     compiled(program, [OURS / "Disposed.cs", SHIPPING / "csharp" / "Ear.cs"])
-    library = compiled_library("libear.so", [SOURCES / "ear.c"], "-O3", "-shared", "-fPIC")
+    library = native_library()
     done = in_mono(program, library, str(preset))
     assert done.returncode == 0, done.stderr.decode()
     lines = done.stdout.decode().splitlines()

@@ -104,5 +104,5 @@ def test_a_program_of_another_version_gets_frames_of_its_size(library: EarLibrar
 def test_the_version_is_that_of_the_engine(library: EarLibrary) -> None:
     version = phonemeengine.__version__
     assert library.c.ear_version().decode() == version
-    for name in ("ear.h", "CMakeLists.txt"):
+    for name in ("ear.h", "CMakeLists.txt", "../csharp/Ear.cs", "../web/ear.js"):
         assert version in (SOURCES / name).read_text(encoding="utf-8")

@@ -102,6 +102,8 @@ def test_what_cannot_be_opened_is_refused_in_a_sentence(folder: Path) -> None:
         (
             "is damaged or cut off",
             "are no .ear file",
+            "the version of ear.wasm is 0.0.0, that of ear.js 0.9.0; take both from one package",
+            "the version of ear.wasm is unknown",
             "must lie in 1000..768000 Hz",
             "choose one of",
             "must lie in 1000..768000 Hz",

@@ -86,6 +86,7 @@ namespace PhonemeEar
         /// <summary>Open the bytes of an .ear file; they are not needed afterwards.</summary>
         public EarModel(byte[] preset)
         {
+            Native.CheckLibrary();
             Native.Check(Native.ear_model_open(preset, (UIntPtr)preset.Length, IntPtr.Zero, UIntPtr.Zero, out handle));
         }
 
@@ -259,6 +260,7 @@ namespace PhonemeEar
 #else
         internal const string Library = "ear";
 #endif
+        private const string CodeVersion = "0.9.0";
 
         internal static void Check(int code)
         {
@@ -287,6 +289,22 @@ namespace PhonemeEar
             return Encoding.UTF8.GetString(bytes);
         }
 
+        /// <summary>Refuse a library that is not there, or is older than this code; a newer one knows all that it calls.</summary>
+        internal static void CheckLibrary()
+        {
+            try
+            {
+                var found = Text(ear_version());
+                if (new Version(found) < new Version(CodeVersion))
+                    throw new EarException($"the library {Library} has the version {found}, this code {CodeVersion}; take both from one package");
+            }
+            catch (Exception error) when (error is TypeLoadException || error is BadImageFormatException) // not there, other one
+            {
+                throw new EarException($"the library {Library} cannot be used ({error.Message}); take it from the package of this code");
+            }
+        }
+
+        [DllImport(Library)] private static extern IntPtr ear_version();
         [DllImport(Library)] internal static extern IntPtr ear_error_text(int code);
         [DllImport(Library)]
         internal static extern int ear_model_open(byte[] bytes, UIntPtr n, IntPtr memory, UIntPtr size, out IntPtr model);

@@ -13,6 +13,7 @@ const WORKLET = ""; // the text of ear-worklet.js: `phonemeanalyser ship` puts i
 
 /** A frame's viseme where it is unknown. */
 export const NO_VISEME = 255;
+const VERSION = "0.9.0";
 
 /** What cannot be done, in a sentence. */
 export class EarError extends Error {
@@ -62,6 +63,9 @@ export class EarModel {
   /** `module`: ear.wasm, compiled; `preset`: the bytes of an .ear file. */
   constructor(module, preset) {
     this.#c = new WebAssembly.Instance(module, {}).exports;
+    const version = this.#c.ear_version ? this.#text(this.#c.ear_version()) : "unknown";
+    if (version !== VERSION)
+      throw new EarError(`the version of ear.wasm is ${version}, that of ear.js ${VERSION}; take both from one package`);
     this.module = module;
     this.preset = preset;
     const bytes = this.#allocate(preset.length);
