@@ -80,14 +80,16 @@ def test_the_page_survives_another_theme_with_its_takes(calibrator: Calibrator):
 # -- recording ----------------------------------------------------------------------------------------
 
 
-def test_what_is_heard_while_a_key_is_held_becomes_a_take(listening: Calibrator):
-    listening.page.takes.speaker.setText("")
-    click(listening.page.takes.speaker)
-    QTest.keyClicks(listening.page.takes.speaker, "Ann")
+def test_what_is_heard_while_a_key_or_a_button_is_held_becomes_a_take(listening: Calibrator):
+    panel, heard = listening.page.takes, listening.model.capture
+    panel.speaker.setText("")
+    click(panel.speaker)
+    QTest.keyClicks(panel.speaker, "Maesh")
+    assert listening.model.phoneme is None  # letters of a name record nothing
     press(listening.booth.window, Qt.Key.Key_Return)  # leaves the field
     listening.say(Qt.Key.Key_A, A)
     (take,) = listening.takes
-    assert (take.speaker, take.phoneme) == ("Ann", Phoneme.A)
+    assert (take.speaker, take.phoneme) == ("Maesh", Phoneme.A)
     samples, rate = soundfile.read(listening.model.takes.path_of(take), dtype="float32")
     assert (rate, len(samples)) == (SAMPLE_RATE, len(A))
     np.testing.assert_allclose(samples, A, atol=2**-15)
@@ -96,9 +98,26 @@ def test_what_is_heard_while_a_key_is_held_becomes_a_take(listening: Calibrator)
     assert verdicts(listening) == ["good"]
     (utterance,) = read_corpus(listening.model.takes.folder)
     assert Phoneme.A in {label.phoneme for label in utterance.labels}
+    button = panel.record.buttons[Phoneme.I]
+    QTest.mousePress(button, LEFT)
+    listening.booth.give(listening.mic, in_room(said(Phoneme.I, 0.7)))
+    listening.until(lambda: heard.seconds >= 0.7)
+    QTest.mouseRelease(button, LEFT)
+    listening.settle()
+    assert [take.phoneme for take in listening.takes] == [Phoneme.A, Phoneme.I]
+    QTest.keyPress(panel.list, Qt.Key.Key_A)
+    listening.booth.give(listening.mic, A)
+    listening.until(lambda: heard.seconds >= 0.9)
+    QCoreApplication.sendEvent(listening.booth.window, QEvent(QEvent.Type.WindowDeactivate))  # loses the keyboard
+    listening.settle()
+    assert len(listening.takes) == 3
 
 
-def test_each_sound_has_a_key_of_its_own_which_holds_its_button_down(calibrator: Calibrator):
+def test_each_sound_has_a_key_of_its_own_which_begins_to_listen_and_holds_its_button_down(calibrator: Calibrator):
+    assert calibrator.booth.desktop.session.source.kind is SourceKind.FILE
+    calibrator.say(Qt.Key.Key_A, A)
+    assert calibrator.booth.desktop.session.source.kind is SourceKind.MICROPHONE
+    assert len(calibrator.takes) == 1
     for phoneme, letter in KEYS.items():
         key = getattr(Qt.Key, f"Key_{letter}")
         QTest.keyPress(calibrator.page.takes.list, key)
@@ -106,31 +125,6 @@ def test_each_sound_has_a_key_of_its_own_which_holds_its_button_down(calibrator:
         assert calibrator.page.takes.record.buttons[phoneme].isDown()
         calibrator.let_go(key)
         assert calibrator.model.phoneme is None
-
-
-def test_a_button_held_with_the_mouse_records_too(listening: Calibrator):
-    button = listening.page.takes.record.buttons[Phoneme.I]
-    QTest.mousePress(button, LEFT)
-    listening.booth.give(listening.mic, in_room(said(Phoneme.I, 0.7)))
-    listening.until(lambda: listening.model.capture.seconds >= 0.7)
-    QTest.mouseRelease(button, LEFT)
-    listening.settle()
-    assert [take.phoneme for take in listening.takes] == [Phoneme.I]
-
-
-def test_a_key_begins_to_listen_where_nobody_did(calibrator: Calibrator):
-    assert calibrator.booth.desktop.session.source.kind is SourceKind.FILE
-    calibrator.say(Qt.Key.Key_A, A)
-    assert calibrator.booth.desktop.session.source.kind is SourceKind.MICROPHONE
-    assert len(calibrator.takes) == 1
-
-
-def test_letters_in_the_speakers_name_record_nothing(listening: Calibrator):
-    click(listening.page.takes.speaker)
-    QTest.keyClicks(listening.page.takes.speaker, "maesh")
-    assert listening.model.takes.speaker.endswith("maesh")
-    assert listening.model.phoneme is None
-    assert listening.takes == ()
 
 
 def test_a_key_that_a_busy_system_repeats_as_presses_and_releases_is_one_take(listening: Calibrator):
@@ -148,40 +142,45 @@ def test_a_key_that_a_busy_system_repeats_as_presses_and_releases_is_one_take(li
     assert take.duration == pytest.approx(5 * (len(A) // 2205 * 441) / SAMPLE_RATE, abs=0.011)  # a frame of 10 ms
 
 
-def test_another_key_at_once_begins_another_take(listening: Calibrator):
-    QTest.keyPress(listening.page.takes.list, Qt.Key.Key_A)
-    QTest.keyRelease(listening.page.takes.list, Qt.Key.Key_A)
-    QTest.keyPress(listening.page.takes.list, Qt.Key.Key_I)
-    assert listening.model.phoneme is Phoneme.I
-    listening.let_go(Qt.Key.Key_I)
-    assert listening.model.phoneme is None
-
-
 def test_a_take_that_is_too_short_or_silent_counts_for_nothing_until_the_user_says_so(listening: Calibrator):
+    booth = listening.booth
+    listening.say(Qt.Key.Key_A, A[: 441 * 15])  # a tap: the key counts as held until it has settled
+    assert listening.takes == ()
+    assert "Hold a for as long as you say the sound" in booth.banner
     listening.say(Qt.Key.Key_A, A[: 441 * 30])  # 0.2 s of quiet, and 0.1 s of an a
     assert verdicts(listening) == ["too short"]
-    assert listening.booth.banner.startswith("a-1 is excluded: The sound lasted only")
+    assert booth.banner.startswith("a-1 is excluded: The sound lasted only")
     listening.say(Qt.Key.Key_A, in_room(silence(0.8)))
     assert verdicts(listening) == ["too short", "silent"]
     assert [take.excluded for take in listening.takes] == [True, True]
     assert listening.model.workbench.utterances == ()
-    listening.say(Qt.Key.Key_A, A)
-    assert "excluded" not in listening.booth.banner  # what was wrong with the take before is no longer news
+    listening.say(Qt.Key.Key_A, np.clip(5 * A, -1, 1))
+    assert verdicts(listening)[2] == "clipped"
+    assert "The recording is clipped" in booth.banner
+    assert "excluded" not in booth.banner  # what was wrong with the take before is no longer news
     click_row(listening, 2)
-    press(listening.booth.window, Qt.Key.Key_Delete)
+    press(booth.window, Qt.Key.Key_Delete)
     listening.settle()
     click_row(listening, 0)
-    press(listening.booth.window, Qt.Key.Key_X)
+    press(booth.window, Qt.Key.Key_X)
     listening.settle()
     assert [take.excluded for take in listening.takes] == [False, True]
     assert len(listening.model.workbench.utterances) == 1
 
 
-def test_several_takes_are_deleted_and_brought_back_at_a_time(calibrator: Calibrator):
+def test_takes_are_excluded_or_deleted_one_or_several_at_a_time_and_brought_back(calibrator: Calibrator):
     for phoneme in (Phoneme.A, Phoneme.E, Phoneme.I):
         calibrator.keep(phoneme)
     window, takes = calibrator.booth.window, calibrator.page.takes
     click_row(calibrator, 0)
+    for exclude, verdict, n in (
+        (lambda: press(window, Qt.Key.Key_X), "excluded", 2),
+        (lambda: click(takes.exclude), "good", 3),
+    ):
+        exclude()
+        calibrator.settle()
+        assert verdicts(calibrator) == [verdict, "good", "good"]
+        assert len(calibrator.model.workbench.utterances) == n
     QTest.keyClick(takes.list, Qt.Key.Key_Down, Qt.KeyboardModifier.ShiftModifier)
     press(window, Qt.Key.Key_X)
     calibrator.settle()
@@ -200,66 +199,12 @@ def test_several_takes_are_deleted_and_brought_back_at_a_time(calibrator: Calibr
     assert calibrator.takes == ()
 
 
-def test_a_slip_of_the_finger_is_no_take_and_is_said(listening: Calibrator):
-    listening.say(Qt.Key.Key_A, A[: 441 * 15])  # a tap: the key counts as held until it has settled
-    assert listening.takes == ()
-    assert "Hold a for as long as you say the sound" in listening.booth.banner
-
-
-def test_a_clipped_take_is_kept_and_the_list_and_the_banner_say_so(listening: Calibrator):
-    listening.say(Qt.Key.Key_A, np.clip(5 * A, -1, 1))
-    assert verdicts(listening) == ["clipped"]
-    assert "The recording is clipped" in listening.booth.banner
-
-
-def test_the_window_losing_the_keyboard_ends_the_take(listening: Calibrator):
-    QTest.keyPress(listening.page.takes.list, Qt.Key.Key_A)
-    listening.booth.give(listening.mic, A)
-    listening.until(lambda: listening.model.capture.seconds >= 0.9)
-    QCoreApplication.sendEvent(listening.booth.window, QEvent(QEvent.Type.WindowDeactivate))
-    listening.settle()
-    assert len(listening.takes) == 1
-
-
 # -- takes of a file ----------------------------------------------------------------------------------
 
 
-def test_a_marked_stretch_of_the_file_becomes_a_take_at_a_key(calibrator: Calibrator):
-    session = calibrator.booth.desktop.session
-    session.open(DEMO)
-    session.seek(1.0)
-    press(calibrator.booth.window, Qt.Key.Key_BracketLeft)
-    session.seek(1.6)
-    press(calibrator.booth.window, Qt.Key.Key_BracketRight)
-    assert calibrator.model.selection == pytest.approx((1.0, 1.6), abs=0.011)
-    press(calibrator.booth.window, Qt.Key.Key_O)
-    calibrator.settle()
-    (take,) = calibrator.takes
-    assert (take.phoneme, take.device) == (Phoneme.O, "demo.flac")
-    assert take.duration == pytest.approx(0.6 + 2 * AROUND, abs=0.011)
-    assert AROUND <= take.start < take.end <= AROUND + 0.611
-    assert {label.phoneme for label in take.to_labels() if label.certainty == CORE} == {Phoneme.O}
-    heard, _ = soundfile.read(calibrator.model.takes.path_of(take), dtype="float32")
-    whole, rate = soundfile.read(DEMO, dtype="float32")
-    first = start_of(heard, whole, rate)
-    np.testing.assert_allclose(heard, whole[first : first + len(heard)], atol=2**-14)
-
-
-def start_of(heard: np.ndarray, whole: np.ndarray, rate: int) -> int:
-    """Find where a stretch lies in a sound, a little before 1 s."""
-    around = range(round((0.98 - AROUND) * rate), round((1.02 - AROUND) * rate))
-    return min(around, key=lambda k: float(np.abs(whole[k : k + 2000] - heard[:2000]).sum()))
-
-
-def test_marking_without_a_file_says_what_to_do(open_booth: Open, mic: HandDrivenMicrophone):
-    booth = open_booth(mic)
-    calibrator = Calibrator(booth, mic)
-    calibrator.listen()
-    calibrator.model.mark(end=False)
-    assert "Open one to mark a range" in booth.banner
-
-
-def test_a_key_held_while_the_file_plays_takes_what_was_played(calibrator: Calibrator):
+def test_a_marked_stretch_of_the_file_becomes_a_take_at_a_key_and_so_does_what_is_played_meanwhile(
+    calibrator: Calibrator,
+):
     session = calibrator.booth.desktop.session
     session.open(DEMO)
     press(calibrator.booth.window, Qt.Key.Key_Space)
@@ -273,24 +218,35 @@ def test_a_key_held_while_the_file_plays_takes_what_was_played(calibrator: Calib
     (take,) = calibrator.takes
     assert take.duration == pytest.approx(ended - began + AROUND + min(began, AROUND), abs=0.1)
     assert take.phoneme is Phoneme.E
+    press(calibrator.booth.window, Qt.Key.Key_Space)
+    session.seek(1.0)
+    press(calibrator.booth.window, Qt.Key.Key_BracketLeft)
+    session.seek(1.6)
+    press(calibrator.booth.window, Qt.Key.Key_BracketRight)
+    assert calibrator.model.selection == pytest.approx((1.0, 1.6), abs=0.011)
+    press(calibrator.booth.window, Qt.Key.Key_O)
+    calibrator.settle()
+    _, take = calibrator.takes
+    assert (take.phoneme, take.device) == (Phoneme.O, "demo.flac")
+    assert take.duration == pytest.approx(0.6 + 2 * AROUND, abs=0.011)
+    assert AROUND <= take.start < take.end <= AROUND + 0.611
+    assert {label.phoneme for label in take.to_labels() if label.certainty == CORE} == {Phoneme.O}
+    heard, _ = soundfile.read(calibrator.model.takes.path_of(take), dtype="float32")
+    whole, rate = soundfile.read(DEMO, dtype="float32")
+    first = start_of(heard, whole, rate)
+    np.testing.assert_allclose(heard, whole[first : first + len(heard)], atol=2**-14)
+    calibrator.listen()
+    calibrator.model.mark(end=False)
+    assert "Open one to mark a range" in calibrator.booth.banner
+
+
+def start_of(heard: np.ndarray, whole: np.ndarray, rate: int) -> int:
+    """Find where a stretch lies in a sound, a little before 1 s."""
+    around = range(round((0.98 - AROUND) * rate), round((1.02 - AROUND) * rate))
+    return min(around, key=lambda k: float(np.abs(whole[k : k + 2000] - heard[:2000]).sum()))
 
 
 # -- what is done with takes --------------------------------------------------------------------------
-
-
-def test_delete_is_undone_and_redone_by_the_keys(calibrator: Calibrator):
-    calibrator.keep(Phoneme.A)
-    calibrator.keep(Phoneme.I)
-    click_row(calibrator, 0)
-    press(calibrator.booth.window, Qt.Key.Key_Delete)
-    calibrator.settle()
-    assert [take.phoneme for take in calibrator.takes] == [Phoneme.I]
-    press(calibrator.booth.window, Qt.Key.Key_Z, CONTROL)
-    calibrator.settle()
-    assert [take.phoneme for take in calibrator.takes] == [Phoneme.A, Phoneme.I]
-    press(calibrator.booth.window, Qt.Key.Key_Y, CONTROL)
-    calibrator.settle()
-    assert [take.phoneme for take in calibrator.takes] == [Phoneme.I]
 
 
 def test_deleted_takes_are_removed_for_ever_if_the_user_says_so_once_more(calibrator: Calibrator):
@@ -324,30 +280,18 @@ def test_undo_takes_back_what_changed_last_be_it_a_take_or_a_threshold(calibrato
     calibrator.keep(Phoneme.I)
     window = calibrator.booth.window
     assert edits(window) == ["Undo add i-2"]
-    press(window, Qt.Key.Key_Z, CONTROL)
-    calibrator.settle()
-    assert len(calibrator.takes) == 1
-    assert preset.preset.thresholds.sz_s1 == 3.0
-    press(window, Qt.Key.Key_Z, CONTROL)
-    calibrator.settle()
+    for n_takes, tuned in ((1, True), (1, False), (0, False)):
+        press(window, Qt.Key.Key_Z, CONTROL)
+        calibrator.settle()
+        assert len(calibrator.takes) == n_takes
+        assert (preset.preset.thresholds.sz_s1 == 3.0) is tuned
     assert preset.preset.thresholds == before
-    assert len(calibrator.takes) == 1
-    press(window, Qt.Key.Key_Z, CONTROL)
-    calibrator.settle()
-    assert calibrator.takes == ()
     for _ in range(3):
         press(window, Qt.Key.Key_Y, CONTROL)
         calibrator.settle()
     assert len(calibrator.takes) == 2
     assert preset.preset.thresholds.sz_s1 == 3.0
-
-
-def test_what_was_done_with_takes_can_be_undone_after_another_preset_was_loaded(calibrator: Calibrator):
-    preset, window = calibrator.booth.desktop.preset, calibrator.booth.window
-    calibrator.keep(Phoneme.A)
-    preset.tune("sz_s1", 3.0)
-    calibrator.keep(Phoneme.I)
-    preset.load(DEFAULT_PRESET)
+    preset.load(DEFAULT_PRESET)  # its edits are gone, those of the takes are not
     assert edits(window) == ["Undo add i-2"]
     press(window, Qt.Key.Key_Z, CONTROL)
     calibrator.settle()
@@ -355,31 +299,33 @@ def test_what_was_done_with_takes_can_be_undone_after_another_preset_was_loaded(
     assert edits(window) == ["Undo add a-1", "Redo add i-2"]
 
 
-def test_a_take_in_place_of_another_is_two_changes(calibrator: Calibrator):
+def test_a_take_in_place_of_another_is_two_changes_and_that_one_may_not_be_kept_yet(calibrator: Calibrator):
+    takes, numbers = calibrator.model.takes, list[int]()
     calibrator.keep(Phoneme.A)
     samples = in_room(said(Phoneme.A, 0.8))[:, np.newaxis]
-    calibrator.model.takes.add(samples, SAMPLE_RATE, Phoneme.A, "Desk", instead_of=lambda: 1)
+    takes.add(samples, SAMPLE_RATE, Phoneme.A, "Desk", instead_of=lambda: 1)
     calibrator.settle()
     assert [take.name for take in calibrator.takes] == ["a-2"]
     for names in (["a-1", "a-2"], ["a-1"]):
         press(calibrator.booth.window, Qt.Key.Key_Z, CONTROL)
         calibrator.settle()
         assert [take.name for take in calibrator.takes] == names
-
-
-def test_a_take_makes_room_that_was_not_yet_kept_when_the_next_one_was_said(calibrator: Calibrator):
-    takes, numbers = calibrator.model.takes, []
     takes.added.connect(numbers.append)
-    samples = in_room(said(Phoneme.A, 0.8))[:, np.newaxis]
     for _ in range(2):
         takes.add(samples, SAMPLE_RATE, Phoneme.A, "Desk", instead_of=lambda: numbers[-1] if numbers else None)
     calibrator.settle()
-    assert [take.name for take in calibrator.takes] == ["a-2"]
+    assert [take.number for take in calibrator.takes] == [1, numbers[-1]]
 
 
-def test_what_was_done_in_one_project_is_not_undone_in_another(calibrator: Calibrator, tmp_path: Path):
+def test_what_was_done_in_one_project_is_not_undone_in_another_which_can_be_opened(calibrator: Calibrator, tmp_path):
     window = calibrator.booth.window
     calibrator.keep(Phoneme.A)
+    (tmp_path / "file").write_text("no folder", encoding="utf-8")
+    calibrator.model.takes.open(tmp_path / "file")
+    calibrator.settle()
+    assert ("file" in calibrator.booth.banner, len(calibrator.takes)) == (True, 1)
+    calibrator.keep(Phoneme.I)
+    assert len(calibrator.takes) == 2
     calibrator.model.takes.open(tmp_path / "other")
     calibrator.settle()
     assert edits(window) == []
@@ -387,51 +333,27 @@ def test_what_was_done_in_one_project_is_not_undone_in_another(calibrator: Calib
     assert edits(window) == ["Undo add i-1"]
 
 
-def test_x_excludes_a_take_and_includes_it_again(calibrator: Calibrator):
+def test_a_take_is_played_copied_relabelled_and_its_ends_are_dragged(calibrator: Calibrator):
     calibrator.keep(Phoneme.A)
     click_row(calibrator, 0)
-    press(calibrator.booth.window, Qt.Key.Key_X)
-    calibrator.settle()
-    assert verdicts(calibrator) == ["excluded"]
-    assert calibrator.model.workbench.utterances == ()
-    click(calibrator.page.takes.exclude)
-    calibrator.settle()
-    assert verdicts(calibrator) == ["good"]
-    assert len(calibrator.model.workbench.utterances) == 1
-
-
-def test_a_take_is_relabelled_in_the_box(calibrator: Calibrator):
-    calibrator.keep(Phoneme.A)
-    click_row(calibrator, 0)
-    box = calibrator.page.takes.phoneme
-    box.setFocus()
-    QTest.keyClick(box, Qt.Key.Key_Down)  # a is followed by e
-    calibrator.settle()
-    assert [take.phoneme for take in calibrator.takes] == [Phoneme.E]
-
-
-def test_a_take_is_copied_as_a_table_and_its_ends_stay_where_the_right_button_is_pressed(calibrator: Calibrator):
-    calibrator.keep(Phoneme.A)
-    click_row(calibrator, 0)
-    calibrator.settle()
-    wave, (take,) = calibrator.page.takes.wave, calibrator.takes
+    window, wave, (take,) = calibrator.booth.window, calibrator.page.takes.wave, calibrator.takes
+    session, heard = calibrator.booth.desktop.session, list[Analysis]()
+    session.analysed.connect(heard.extend)
+    press(window, Qt.Key.Key_Return)
+    assert session.path == calibrator.model.takes.path_of(take)
+    assert session.source.playing
+    calibrator.until(lambda: not session.source.playing)  # at the end of what counts
+    assert (heard[-1].start + len(heard[-1])) * FRAME_PERIOD == pytest.approx(take.end, abs=0.02)
+    assert session.source.position == pytest.approx(take.start, abs=0.02)
     QTest.mousePress(wave, Qt.MouseButton.RightButton, pos=QPoint(round(wave.axis.x_of(take.start)), 30))
     QTest.mouseMove(wave, QPoint(wave.width() // 2, 30))
     QTest.mouseRelease(wave, Qt.MouseButton.RightButton, pos=QPoint(wave.width() // 2, 30))
     calibrator.settle()
-    assert calibrator.takes == (take,)
+    assert calibrator.takes == (take,)  # its ends stay
     rows = copied(wave.menu, QPoint(9, 9))
     assert rows[0] == ["time (s)", "amplitude"]
     assert len(rows) == 1 + round(take.duration * SAMPLE_RATE)
     assert [action.text() for action in wave.menu.actions()] == ["Copy Values", "Copy Picture", "Save Picture…"]
-
-
-def test_the_ends_of_a_take_are_dragged(calibrator: Calibrator):
-    calibrator.keep(Phoneme.A)
-    click_row(calibrator, 0)
-    calibrator.settle()
-    wave = calibrator.page.takes.wave
-    (take,) = calibrator.takes
     start, end = (wave.axis.x_of(seconds) for seconds in (take.start, take.end))
     drag(wave, start, (start + end) / 2)
     calibrator.settle()
@@ -442,24 +364,15 @@ def test_the_ends_of_a_take_are_dragged(calibrator: Calibrator):
     QTest.keyClick(wave, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
     calibrator.settle()
     assert calibrator.takes[0].end == pytest.approx(take.end - 0.01, abs=1e-6)
-    press(calibrator.booth.window, Qt.Key.Key_Z, CONTROL)
-    press(calibrator.booth.window, Qt.Key.Key_Z, CONTROL)
+    press(window, Qt.Key.Key_Z, CONTROL)
+    press(window, Qt.Key.Key_Z, CONTROL)
     calibrator.settle()
     assert calibrator.takes == (take,)
-
-
-def test_return_plays_what_counts_of_a_take_and_stops_there(calibrator: Calibrator):
-    calibrator.keep(Phoneme.A)
-    click_row(calibrator, 0)
-    session, (take,) = calibrator.booth.desktop.session, calibrator.takes
-    heard: list[Analysis] = []
-    session.analysed.connect(heard.extend)
-    press(calibrator.booth.window, Qt.Key.Key_Return)
-    assert session.path == calibrator.model.takes.path_of(take)
-    assert session.source.playing
-    calibrator.until(lambda: not session.source.playing)
-    assert (heard[-1].start + len(heard[-1])) * FRAME_PERIOD == pytest.approx(take.end, abs=0.02)
-    assert session.source.position == pytest.approx(take.start, abs=0.02)
+    box = calibrator.page.takes.phoneme
+    box.setFocus()
+    QTest.keyClick(box, Qt.Key.Key_Down)  # a is followed by e
+    calibrator.settle()
+    assert [take.phoneme for take in calibrator.takes] == [Phoneme.E]
 
 
 # -- the project --------------------------------------------------------------------------------------
@@ -481,16 +394,6 @@ def test_project_and_speaker_are_there_again_at_the_next_start(calibrator: Calib
         assert kept == (tmp_path / "my voice", "Mara")
     finally:
         again.desktop.close()
-
-
-def test_a_project_that_cannot_be_opened_is_said_and_the_old_one_stays(calibrator: Calibrator, tmp_path):
-    calibrator.keep(Phoneme.A)
-    (tmp_path / "file").write_text("no folder", encoding="utf-8")
-    calibrator.model.takes.open(tmp_path / "file")
-    calibrator.settle()
-    assert ("file" in calibrator.booth.banner, len(calibrator.takes)) == (True, 1)
-    calibrator.keep(Phoneme.I)
-    assert len(calibrator.takes) == 2
 
 
 def click_row(calibrator: Calibrator, row: int) -> None:
