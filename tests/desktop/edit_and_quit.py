@@ -1,8 +1,8 @@
 """Runs the real program on a sound, edits its preset as a user does, and ends it as the first word says.
 
 The second word names the sound that is waited for; further words are the program's own. A signal's name ends it by
-that signal; ``kill`` waits until the edits are on the disk. ``look`` edits nothing, and prints what the window shows.
-With ``busy``, threads still work at its end. Exits with 9 and says why where a dialog appears that nobody asked for.
+that signal; ``kill`` waits until the edits are on the disk. ``look`` edits nothing, prints what the window shows, and
+quits while threads still work. Exits with 9 and says why where a dialog appears that nobody asked for.
 """
 
 import json
@@ -88,12 +88,10 @@ class User(QTimer):
     def _leave(self) -> None:
         if self._way.startswith("SIG"):
             os.kill(os.getpid(), getattr(signal, self._way))
-        elif self._way == "busy":
-            for _ in range(N_BUSY):
-                threading.Thread(target=transform_for_ever, daemon=True).start()
-            window().close()
         elif self._way == "look":
             show()
+            for _ in range(N_BUSY):
+                threading.Thread(target=transform_for_ever, daemon=True).start()
             window().menus.actions["Quit"].trigger()
 
 

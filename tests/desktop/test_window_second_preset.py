@@ -23,21 +23,22 @@ def settled(desktop, qtbot):
     qtbot.waitUntil(lambda: not session.whole.busy and not session.second.whole.busy)
 
 
-def test_without_a_second_preset_the_key_says_so(desktop, window):
+def test_two_presets_are_seen_and_switched_and_all_that_names_one_follows(desktop, window, qtbot, tmp_path):
     press(window, Qt.Key.Key_X)
     assert window.banner.label.text() == NO_SECOND
     assert desktop.preset.letter == "A"
-    assert window.analysis.file.view.file_layout.second_row() is None
-
-
-def test_two_presets_are_seen_and_switched(desktop, window, qtbot):
-    session, second = desktop.session, desktop.session.second
+    bad = tmp_path / "bad.toml"
+    bad.write_text("nonsense")
+    window.dialogs.presets.load_other(bad)
+    assert "bad.toml" in window.banner.label.text()
+    assert desktop.preset.other is None
+    session, second, panel = desktop.session, desktop.session.second, window.analysis.file
+    assert panel.view.file_layout.second_row() is None
     window.dialogs.presets.load_other(preset_path("learned"))
     settled(desktop, qtbot)
     first, other = session.whole.tracks, second.whole.tracks
     expected = difference(CARDS, desktop.preset.preset, load_preset("learned"))
     session.view.show_all()
-    panel = window.analysis.file
     said = (
         f"A: Thesis and B: Learned recognise different phonemes in {100 * expected.share:.1f} % of the visible frames"
     )
@@ -49,14 +50,6 @@ def test_two_presets_are_seen_and_switched(desktop, window, qtbot):
     assert session.whole.tracks is other
     assert not session.whole.busy  # nothing is found twice
     assert panel.differs.toolTip() == said  # A stays above B
-    press(window, Qt.Key.Key_X)
-    assert session.whole.tracks is first
-    np.testing.assert_array_equal(first.phonemes, kept)
-
-
-def test_all_that_names_the_preset_follows_the_switch(desktop, window, qtbot):
-    window.dialogs.presets.load_other(preset_path("learned"))
-    press(window, Qt.Key.Key_X)
     assert desktop.preset.letter == "B"
     assert desktop.preset.preset.name == desktop.preset.in_force.name == "Learned"
     assert "Learned" in window.windowTitle()
@@ -64,14 +57,19 @@ def test_all_that_names_the_preset_follows_the_switch(desktop, window, qtbot):
     assert desktop.preset.path == preset_path("learned")
     sensitivities = set(desktop.preset.controls)
     press(window, Qt.Key.Key_X)
+    assert session.whole.tracks is first
+    np.testing.assert_array_equal(first.phonemes, kept)
     assert "Thesis" in window.windowTitle()
     assert "Preset: A: Thesis" in window.status.left.text()
     assert set(desktop.preset.controls) != sensitivities
 
 
-def test_a_change_of_the_one_in_use_is_compared_with_what_was_kept(desktop, window, qtbot):
+def test_a_change_of_the_one_in_use_is_compared_with_what_was_kept(desktop, window, qtbot, tmp_path):
     window.menus.actions["Set Current as B"].trigger()
+    (tmp_path / "other.flac").write_bytes(CARDS.read_bytes())
+    desktop.session.open(tmp_path / "other.flac")  # which is recognised with both, too
     settled(desktop, qtbot)
+    np.testing.assert_array_equal(desktop.session.whole.tracks.phonemes, desktop.session.second.whole.tracks.phonemes)
     assert "phonemes in 0.0 %" in window.analysis.file.differs.toolTip()
     click(window.filters.switches["statistics"])
     settled(desktop, qtbot)
@@ -86,8 +84,7 @@ def test_a_change_of_the_one_in_use_is_compared_with_what_was_kept(desktop, wind
     assert not window.analysis.file.differs.isVisible()
 
 
-def test_undo_shows_the_preset_that_it_changes(desktop, window):
-    model = desktop.preset
+def test_undo_shows_the_preset_that_it_changes(model):
     model.set_other(PresetDocument.read(preset_path("extended")))
     model.set_setting("minimum_hold", 0.08)
     model.switch()
@@ -101,8 +98,7 @@ def test_undo_shows_the_preset_that_it_changes(desktop, window):
     assert (model.letter, model.preset.settings.minimum_hold) == ("A", 0.08)
 
 
-def test_what_was_done_to_a_preset_that_goes_cannot_be_undone(desktop):
-    model = desktop.preset
+def test_what_was_done_to_a_preset_that_goes_cannot_be_undone(model):
     model.set_other(PresetDocument.read(preset_path("extended")))
     model.switch()
     model.set_setting("minimum_hold", 0.09)
@@ -112,8 +108,7 @@ def test_what_was_done_to_a_preset_that_goes_cannot_be_undone(desktop):
     assert model.sides["B"].name == "Templates"
 
 
-def test_b_alone_becomes_a_and_its_changes_can_be_undone(desktop):
-    model = desktop.preset
+def test_b_alone_becomes_a_and_its_changes_can_be_undone(model):
     model.set_other(PresetDocument.read(preset_path("extended")))
     model.switch()
     model.set_setting("minimum_hold", 0.09)
@@ -123,25 +118,15 @@ def test_b_alone_becomes_a_and_its_changes_can_be_undone(desktop):
     assert (model.letter, model.preset) == ("A", load_preset("extended"))
 
 
-def test_closing_asks_about_changes_of_both(desktop, window):
-    model = desktop.preset
-    model.set_other(PresetDocument.read(preset_path("extended")))
-    model.switch()
-    model.set_setting("minimum_hold", 0.09)
-    model.switch()
-    asked = answer("Cancel")
-    assert not window.dialogs.presets.may_close()
-    assert "Extended rules" in asked[0]
-    assert model.letter == "A"
-    model.clear_second()
-
-
-def test_changes_of_both_outlive_a_crash(desktop, window, tmp_path):
+def test_changes_of_both_are_asked_about_at_the_end_and_outlive_a_crash(desktop, window, tmp_path):
     model = desktop.preset
     model.set_other(PresetDocument.read(preset_path("extended")))
     model.set_setting("minimum_hold", 0.08)
     model.switch()
     model.set_setting("minimum_hold", 0.09)
+    asked = answer("Cancel")
+    assert not window.dialogs.presets.may_close()
+    assert "Extended rules" in asked[0]
     kept = UnsavedChanges(model, tmp_path, desktop._settings)
     kept.keep()
     model.clear_second()
@@ -157,20 +142,3 @@ def test_changes_of_both_outlive_a_crash(desktop, window, tmp_path):
     assert list(tmp_path.glob("*.toml")) == []
     kept.close()
     model.clear_second()
-
-
-def test_another_file_is_recognised_with_both(desktop, window, qtbot, tmp_path):
-    window.menus.actions["Set Current as B"].trigger()
-    other = tmp_path / "other.flac"
-    other.write_bytes(CARDS.read_bytes())
-    desktop.session.open(other)
-    settled(desktop, qtbot)
-    np.testing.assert_array_equal(desktop.session.whole.tracks.phonemes, desktop.session.second.whole.tracks.phonemes)
-
-
-def test_a_file_that_is_no_preset_is_one_sentence(desktop, window, tmp_path, qtbot):
-    bad = tmp_path / "bad.toml"
-    bad.write_text("nonsense")
-    window.dialogs.presets.load_other(bad)
-    assert "bad.toml" in window.banner.label.text()
-    assert desktop.preset.other is None

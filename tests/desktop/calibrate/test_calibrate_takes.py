@@ -1,7 +1,6 @@
 """Takes by mouse and keyboard: recorded, marked, trimmed, relabelled, excluded, deleted, and all that undone."""
 
 from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
 import pytest
