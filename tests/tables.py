@@ -14,6 +14,9 @@ NOTES = (".phonemeanalyser-batch", "phonemeanalyser-report.")
 LABELS = {phoneme.label for phoneme in Phoneme}
 HEADER = "start_s,end_s,phoneme,intensity,confidence"
 
+Capsys = pytest.CaptureFixture[str]
+"""What a command says, as pytest catches it."""
+
 
 def rows_of(text: str) -> list[dict[str, str]]:
     return list(csv.DictReader(text.splitlines()))
@@ -40,7 +43,7 @@ def gapless(rows: list[dict[str, str]], duration: float) -> None:
     assert all(0 <= float(row[name]) <= 1 for row in rows for name in ("intensity", "confidence"))
 
 
-def refused(capsys: pytest.CaptureFixture[str], *words: object) -> str:
+def refused(capsys: Capsys, *words: object) -> str:
     """Run it, and give the one sentence with which it fails."""
     assert main([str(word) for word in words]) == 1
     said = capsys.readouterr()

@@ -9,6 +9,7 @@ import pytest
 
 from phonemeanalyser.cli.main import main
 from tests.conftest import ROOT
+from tests.tables import Capsys
 
 DEVELOPMENT = ROOT / "tests" / "data" / "corpus"
 PERSON = "human_pocketsphinx/cards"
@@ -40,7 +41,7 @@ def test_the_take_that_says_its_line_is_the_best_and_another_text_is_told(takes:
     assert (wrong["best"], wrong["skipped"], wrong["score"]) == ("", "another text", "")
 
 
-def test_without_words_there_is_nothing_to_align(takes: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_without_words_there_is_nothing_to_align(takes: Path, capsys: Capsys) -> None:
     with pytest.raises(SystemExit) as ended:
         main(["align", str(takes)])
     assert ended.value.code == 2

@@ -15,11 +15,10 @@ from phonemeanalyser.cli.main import main
 from phonemeengine.labels.utterance_files import read_utterance
 from phonemeengine.text.espeak import LONGEST_PATH
 from tests.conftest import CORPUS, ROOT
-from tests.tables import refused
+from tests.tables import Capsys, refused
 
 SAID = CORPUS / "espeak_de" / "de" / "de_01.flac"
 TEXT = "Es regnet, aber der See ist eben und leer."
-HEAD = 'format = "phonemeanalyser lexicon 1"\n'
 
 
 @pytest.fixture(params=["speak", "align", "analyse"])
@@ -42,10 +41,8 @@ def files_in(folder: Path) -> Iterator[Path]:
     ("text", "words", "sentence"),
     [
         ("", ["--language", "de"], "there is no word"),
-        (" \n\t ", ["--language", "de"], "there is no word"),
         ("\U0001f389\U0001f600", ["--language", "de"], "there is no word to speak"),
-        ("\x01\x02\x1b", ["--language", "de"], "there is no word to speak"),
-        ("\0", ["--language", "de"], "there is no word to speak"),
+        ("\0\x1b", ["--language", "de"], "there is no word to speak"),
         ("[[", ["--language", "de"], "there is no word to speak"),
         ("... !!! ---", ["--language", "de"], "there is no word to speak"),
         ("\u0301\u0302", ["--language", "de"], "there is no word to speak"),
@@ -59,9 +56,9 @@ def files_in(folder: Path) -> Iterator[Path]:
         ("兙嗧", ["--language", "cmn"], "no sounds for this text; check its language"),
     ],
 )
-@pytest.mark.parametrize("command", ["speak", "analyse"], indirect=True)
+@pytest.mark.parametrize("command", ["speak"], indirect=True)
 def test_a_text_that_nobody_can_speak_is_refused_and_nothing_is_written(
-    command: list[str], text: str, words: list[str], sentence: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    command: list[str], text: str, words: list[str], sentence: str, tmp_path: Path, capsys: Capsys
 ) -> None:
     (tmp_path / "text.txt").write_text(text, encoding="utf-8")
     said = refused_with_notes(capsys, *command, *words)
@@ -69,7 +66,7 @@ def test_a_text_that_nobody_can_speak_is_refused_and_nothing_is_written(
     assert list(files_in(tmp_path)) == [tmp_path / "text.txt"]
 
 
-def refused_with_notes(capsys: pytest.CaptureFixture[str], *words: str) -> str:
+def refused_with_notes(capsys: Capsys, *words: str) -> str:
     """Run it, and give the last sentence with which it fails, behind notes."""
     assert main(list(words)) == 1
     *notes, line = capsys.readouterr().err.splitlines()
@@ -77,31 +74,26 @@ def refused_with_notes(capsys: pytest.CaptureFixture[str], *words: str) -> str:
     return line
 
 
-@pytest.mark.parametrize(
-    ("text", "note"),
-    [
-        (f"{TEXT} [[h@l'oU]]", "[[ would ask for phonemes and is read as [ (1 x)"),
-        (f"{TEXT} \U0001f389", "emoji have no sound and are left out (1 x)"),
-        (TEXT.replace("Es", "E\0s"), "control characters and the like have no sound and are left out (1 x)"),
-        (f"{TEXT} Привет Мир", "the voice of de spells words of another script letter by letter: Привет, Мир"),
-        (f"{TEXT} 银行", "the voice of de spells words of another script letter by letter: 银行"),
-    ],
-)
 @pytest.mark.parametrize("command", ["speak", "align"], indirect=True)
 def test_what_is_left_out_or_spelt_is_told_and_the_rest_is_done(
-    command: list[str], text: str, note: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    command: list[str], tmp_path: Path, capsys: Capsys
 ) -> None:
+    text = TEXT.replace("Es", "E\0s") + " [[h@l'oU]] \U0001f389 Привет 银行"
     (tmp_path / "text.txt").write_text(text, encoding="utf-8")
     assert main([*command, "--language", "de"]) == 0
-    assert f"note: {note}\n" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    for note in (
+        "[[ would ask for phonemes and is read as [ (1 x)",
+        "emoji have no sound and are left out (1 x)",
+        "control characters and the like have no sound and are left out (1 x)",
+        "the voice of de spells words of another script letter by letter: Привет, 银行",
+    ):
+        assert f"note: {note}\n" in said
 
 
-@pytest.mark.parametrize("text", [TEXT.replace("See", "λόγος"), TEXT.replace("See", "naïve Łódź"), f"<b>{TEXT}</b>"])
 @pytest.mark.parametrize("command", ["align"], indirect=True)
-def test_what_the_voice_reads_needs_no_note(
-    command: list[str], text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    (tmp_path / "text.txt").write_text(text, encoding="utf-8")
+def test_what_the_voice_reads_needs_no_note(command: list[str], tmp_path: Path, capsys: Capsys) -> None:
+    (tmp_path / "text.txt").write_text(f"<b>{TEXT.replace('See', 'λόγος naïve Łódź')}</b>", encoding="utf-8")
     assert main([*command, "--language", "de"]) == 0
     assert "spells" not in capsys.readouterr().err
 
@@ -110,16 +102,7 @@ def test_what_the_voice_reads_needs_no_note(
     ("name", "content", "sentence"),
     [
         ("l.toml", "nonsense", "l.toml: this is no TOML file"),
-        ("l.toml", 'format = "other"', "l.toml: a lexicon begins with format"),
-        ("l.toml", HEAD + "[words]\nZug = 3\n", "l.toml: 'Zug' must be IPA or a list of it, found 3"),
-        (
-            "l.toml",
-            HEAD + '[words]\nZug = "%&"\n',
-            "l.toml, [words]: 'Zug' has no IPA, found '%' in '%&'; correct it",
-        ),
-        ("l.csv", "word\nZug\n", "l.csv: it lacks the column ipa; give it the columns word, ipa"),
         ("l.csv", "word,ipa\nZug,\n", "l.csv, line 2: 'Zug' has no sounds, found ''; write its IPA"),
-        ("l.csv", "word,ipa\nZug\0,a\n", "l.csv"),
         ("l.csv", "\xff", "l.csv"),
         ("none.toml", None, "none.toml: there is no such file; check its name and folder"),
     ],
@@ -131,7 +114,7 @@ def test_a_lexicon_with_nonsense_is_refused_and_nothing_is_written(
     content: str | None,
     sentence: str,
     tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
+    capsys: Capsys,
 ) -> None:
     (tmp_path / "text.txt").write_text(TEXT, encoding="utf-8")
     if content is not None:
@@ -141,22 +124,19 @@ def test_a_lexicon_with_nonsense_is_refused_and_nothing_is_written(
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.parametrize("name", ["align", "analyse"])
-def test_a_table_tells_of_texts_without_sound_and_sounds_without_text(
-    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_table_tells_of_texts_without_sound_and_sounds_without_text(tmp_path: Path, capsys: Capsys) -> None:
     sounds, table = tmp_path / "sounds", tmp_path / "table.tsv"
     sounds.mkdir()
     for sound in ("a.flac", "b.flac"):
         shutil.copy(SAID, sounds / sound)
-    out = {"align": tmp_path / "out.csv", "analyse": tmp_path / "out"}[name]
-    words = [name, str(sounds), "--script", str(table), "--language", "de", "-o", str(out)]
+    out = tmp_path / "out"
+    words = ["analyse", str(sounds), "--script", str(table), "--language", "de", "-o", str(out)]
     table.write_text(f"a.flac\t{TEXT}\nz.flac\t{TEXT}\n", encoding="utf-8")
     assert main(words) == 0
     said = capsys.readouterr().err
     assert "there is no text for b.flac; add a line for each" in said
     assert "there is no sound z.flac; name them as the sounds are" in said
-    shutil.rmtree(out) if out.is_dir() else out.unlink()
+    shutil.rmtree(out)
     table.write_text(f"y.flac\t{TEXT}\nz.flac\t{TEXT}\n", encoding="utf-8")
     assert "table.tsv: there is no text in it for a.flac, b.flac; a line holds the name" in refused(capsys, *words)
     table.write_text(f"a.flac\t{TEXT}\nno tab\n", encoding="utf-8")
@@ -164,15 +144,15 @@ def test_a_table_tells_of_texts_without_sound_and_sounds_without_text(
     assert not out.exists()
 
 
-def test_300_kilobytes_without_a_mark_are_another_text(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    (tmp_path / "text.txt").write_text("a" * 300_000, encoding="utf-8")
+def test_100_kilobytes_without_a_mark_are_another_text(tmp_path: Path, capsys: Capsys) -> None:
+    (tmp_path / "text.txt").write_text("a" * 100_000, encoding="utf-8")
     out = tmp_path / "o.csv"
     assert main(["align", str(SAID), "--script", str(tmp_path / "text.txt"), "--language", "de", "-o", str(out)]) == 0
     assert "another text seems to be said in it" in capsys.readouterr().err
     assert ",another text," in out.read_text("utf-8")[-100:]
 
 
-def test_a_text_that_turns_out_unspeakable_leaves_no_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_text_that_turns_out_unspeakable_leaves_no_file(tmp_path: Path, capsys: Capsys) -> None:
     out = [("-o", "o.wav"), ("--labels", "o.TextGrid"), ("--plan", "p.csv")]
     written = [word for option, name in out for word in (option, str(tmp_path / name))]
     said = refused(capsys, "speak", "Hallo", "--language", "de", "--text-driver", "pinyin", *written)
@@ -208,9 +188,6 @@ def test_without_a_voice_silent_chinese_is_planned_and_its_latin_words_are_told(
     assert ended.returncode == 0
     assert [line.split(",")[4] for line in ended.stdout.splitlines()[1:]] == ["我", "用"]
     assert "'OK' has no sound that is known, and is left out; no voice is installed: espeak-ng is" in ended.stderr
-    ended = with_loader(tmp_path, missing, "Tag", "--language", "de", "--silent", "--plan", "-")
-    assert (ended.returncode, ended.stdout) == (1, "")
-    assert ended.stderr.startswith("phonemeanalyser: no voice is installed: espeak-ng is missing; pip install")
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the cache's place is asked for as Linux has it")

@@ -9,7 +9,7 @@ import pytest
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.reports.batch_report import PAGE, TABLE
 from phonemeengine.batch.record import RECORD
-from tests.tables import contents, outputs_in
+from tests.tables import Capsys, contents, outputs_in
 
 EXPORT = ("export", "--format", "rhubarb-json")
 
@@ -25,11 +25,10 @@ def sounds(sound: Path, tmp_path: Path) -> Path:
 
 def test_two_processes_write_the_bytes_of_one_by_one(sounds: Path, tmp_path: Path) -> None:
     assert main([*EXPORT, str(sounds), "-o", str(tmp_path / "two"), "--jobs", "2"]) == 0
-    assert main([*EXPORT, str(sounds), "-o", str(tmp_path / "one"), "--jobs", "1"]) == 0
     single = tmp_path / "single"
     for path in ("a.wav", "b.wav", "deep/c.wav"):
         assert main([*EXPORT, str(sounds / path), "-o", str((single / path).parent)]) == 0
-    assert contents(tmp_path / "two") == contents(tmp_path / "one") == contents(single)
+    assert contents(tmp_path / "two") == contents(single)
     assert len(contents(single)) == 3
 
 
@@ -64,9 +63,7 @@ def test_another_text_is_another_order(sounds: Path, tmp_path: Path) -> None:
     assert {name for name in after if after[name] != before[name]} == {"a.csv"}
 
 
-def test_what_was_wrong_stands_in_a_table_and_on_a_page(
-    sounds: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_what_was_wrong_stands_in_a_table_and_on_a_page(sounds: Path, tmp_path: Path, capsys: Capsys) -> None:
     (sounds / "b.wav").write_bytes(b"no sound <at> all")
     out = tmp_path / "out"
     (sounds / "a.txt").write_text("one two three four five six seven")
@@ -97,10 +94,10 @@ def test_a_single_sound_leaves_no_record(sound: Path, tmp_path: Path) -> None:
 
 
 def test_a_score_by_two_processes_and_one_that_was_kept_is_that_of_one(
-    corpus: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    corpus: Path, tmp_path: Path, capsys: Capsys
 ) -> None:
     with (corpus / "manifest.csv").open(newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))[::30]
+        rows = list(csv.DictReader(file))[::45]
     for row in rows:
         for name in (row["wav"], row["labels"]):
             (tmp_path / "some" / name).parent.mkdir(parents=True, exist_ok=True)
@@ -109,7 +106,18 @@ def test_a_score_by_two_processes_and_one_that_was_kept_is_that_of_one(
         table = csv.DictWriter(file, list(rows[0]))
         table.writeheader()
         table.writerows(rows)
-    words = ["score", str(tmp_path / "some"), "--format", "json", "--noise", "pink", "--snr", "10"]
+    words = [
+        "score",
+        str(tmp_path / "some"),
+        "--preset",
+        "thesis",
+        "--format",
+        "json",
+        "--noise",
+        "pink",
+        "--snr",
+        "10",
+    ]
     assert main(words) == 0
     alone = capsys.readouterr().out
     assert main([*words, "--jobs", "2"]) == 0

@@ -11,12 +11,10 @@ from importlib.metadata import version
 from pathlib import Path
 
 import pytest
-import soundfile
 
 from phonemeanalyser.cli.main import COMMANDS, main
 from phonemeanalyser.cli.window import DEMO
-from tests.bad_files import HOSTILE
-from tests.tables import LABELS, gapless, refused, rows_of
+from tests.tables import LABELS, Capsys, refused, rows_of
 
 PROGRAM = [sys.executable, "-m", "phonemeanalyser"]
 
@@ -29,20 +27,9 @@ def program(*words: object, **environment: str) -> subprocess.CompletedProcess[s
     return subprocess.run(command, capture_output=True, text=True, timeout=240, env=env, check=False)
 
 
-def test_the_program_prints_the_table_of_the_demo_whose_ten_sounds_are_all_there() -> None:
-    done = program("analyse", DEMO)
-    assert (done.returncode, done.stderr) == (0, "")
-    gapless(rows_of(done.stdout), soundfile.info(DEMO).duration)
+def test_the_ten_sounds_are_all_in_the_demo() -> None:
     labelled = {row["class"] for row in rows_of(DEMO.with_suffix(".csv").read_text())}
     assert labelled >= LABELS - {"unidentified"}
-
-
-def test_the_program_refuses_a_hostile_file_at_once(tmp_path: Path) -> None:
-    bad = HOSTILE["list_that_hangs"](tmp_path)
-    done = program("analyse", bad, "-o", tmp_path / "out")
-    assert (done.returncode, done.stdout) == (1, "")
-    assert done.stderr.startswith(f"phonemeanalyser: {bad.name}: ")
-    assert len(done.stderr.splitlines()) == 1
 
 
 @pytest.mark.parametrize(("path", "goes"), [(DEMO, "head -n 1"), pytest.param(None, "true", marks=pytest.mark.long)])
@@ -79,43 +66,34 @@ def test_a_display_that_does_not_answer_is_named(sound: Path) -> None:
         "screenshot x.wav",
         "screenshot x.wav -o x.png --size wide",
         "screenshot x.wav -o x.png --size 10x10",
-        "screenshot x.wav -o x.png --size 99999x99999",
         "screenshot x.wav -o x.png --theme pink",
-        "screenshot x.wav -o x.png --at nan",
-        "screenshot x.wav -o x.png --at inf",
         "screenshot x.wav -o x.png --at=-1",
         "screenshot x.wav -o x.png --at soon",
         "export",
         "export a.wav",
-        "export --format anno",
         "export a.wav --format fbx",
         "export a.wav --format anno --fps x",
         "listen a.wav",
         "listen --format xml",
         "listen --seconds soon",
-        "listen --seconds nan",
         "listen --seconds=-1",
         "listen --channel middle",
         "listen --channel=-1",
         "listen --rate fast",
-        "listen --rate=-44100",
         "listen --rate 5",
         "listen --device",
         "listen --look-ahead 0.06",
         "record",
-        "record a.wav b.wav",
         "record a.wav --format json",
         "record a.wav --channel 1.5",
         "score",
         "score x --format xml",
         "score x --by colour",
         "score x --lag soon",
-        "score x --lag nan",
         "score x --lag 1001",
         "score x --noise brown --snr 5",
         "score x --noise pink",
         "score x --snr 5",
-        "score x --noise pink --snr inf",
         "score x --noise pink --snr 99",
         "score x --noise pink --snr 9 --seed -1",
         "score x --lexicon gone.toml",
@@ -131,7 +109,7 @@ def test_a_display_that_does_not_answer_is_named(sound: Path) -> None:
         "speak hi -o a.wav --expression gone.csv",
     ],
 )
-def test_wrong_usage_is_explained(words: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_wrong_usage_is_explained(words: str, capsys: Capsys) -> None:
     with pytest.raises(SystemExit) as end:
         main(words.split())
     assert end.value.code == 2
@@ -156,18 +134,10 @@ NO_TABLE = "gone: there is no such mouth table; name a file, or one of"
     ],
 )
 def test_a_preset_or_a_mouth_table_that_is_not_there_is_named(
-    command: str, sentence: str, sound: Path, capsys: pytest.CaptureFixture[str]
+    command: str, sentence: str, sound: Path, capsys: Capsys
 ) -> None:
     words = [sound if word == "SOUND" else word for word in command.split()]
     assert refused(capsys, *words).startswith(sentence)
-
-
-@pytest.mark.parametrize("words", [["--help"], ["analyse", "--help"], ["screenshot", "--help"]])
-def test_help_is_given(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit) as end:
-        main(words)
-    assert end.value.code == 0
-    assert "usage: phonemeanalyser" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
@@ -192,7 +162,7 @@ def test_help_is_given(words: list[str], capsys: pytest.CaptureFixture[str]) -> 
     ],
 )
 def test_what_is_spelt_wrong_is_refused_with_what_may_be_meant(
-    words: list[str], sentence: str, capsys: pytest.CaptureFixture[str]
+    words: list[str], sentence: str, capsys: Capsys
 ) -> None:
     with pytest.raises(SystemExit) as end:
         main(words)
@@ -215,7 +185,7 @@ def test_what_is_spelt_wrong_is_refused_with_what_may_be_meant(
     ],
 )
 def test_what_cannot_be_printed_makes_no_file_of_the_name_of_standard_output(
-    words: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    words: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capsys
 ) -> None:
     monkeypatch.chdir(tmp_path)
     with pytest.raises(SystemExit):
@@ -224,14 +194,14 @@ def test_what_cannot_be_printed_makes_no_file_of_the_name_of_standard_output(
     assert list(tmp_path.iterdir()) == []
 
 
-def test_analyse_may_be_spelt_as_americans_do(sound: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_analyse_may_be_spelt_as_americans_do(sound: Path, capsys: Capsys) -> None:
     assert main(["analyze", str(sound)]) == 0
     american = capsys.readouterr().out
     assert main(["analyse", str(sound)]) == 0
     assert capsys.readouterr().out == american != ""
 
 
-def test_help_lists_every_command_with_a_line(capsys: pytest.CaptureFixture[str]) -> None:
+def test_help_lists_every_command_with_a_line(capsys: Capsys) -> None:
     with pytest.raises(SystemExit):
         main(["--help"])
     lines = [line for line in capsys.readouterr().out.splitlines() if line.startswith("  ")]
@@ -253,27 +223,28 @@ def test_no_option_of_numbers_takes_what_is_no_number(command: str) -> None:
                 assert not isinstance(value, float), f"{action.option_strings[0]} takes {written}"
 
 
-def test_a_command_imports_no_other_and_no_window() -> None:
+def test_a_command_imports_no_other_and_none_a_window() -> None:
     code = (
         "import sys; from phonemeanalyser.cli.main import main, COMMANDS\n"
         "try: main(['analyse', '--help'])\n"
         "except SystemExit: pass\n"
-        "print([name for name in COMMANDS if f'phonemeanalyser.cli.{name}' in sys.modules], 'PySide6' in sys.modules)"
+        "print([name for name in COMMANDS if f'phonemeanalyser.cli.{name}' in sys.modules])\n"
+        "import importlib\n"
+        "for name in COMMANDS: importlib.import_module(f'phonemeanalyser.cli.{name}')\n"
+        "print('PySide6' in sys.modules)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=240, check=True)
-    assert done.stdout.splitlines()[-1] == "['analyse'] False"
+    assert done.stdout.splitlines()[-2:] == ["['analyse']", "False"]
 
 
-def test_the_version_is_that_of_the_package(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_version_is_that_of_the_package(capsys: Capsys) -> None:
     with pytest.raises(SystemExit) as end:
         main(["--version"])
     assert end.value.code == 0
     assert capsys.readouterr().out == f"phonemeanalyser {version('phonemeanalyser')}\n"
 
 
-def test_a_name_that_the_system_refuses_and_a_closed_output_are_one_sentence(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_a_name_that_the_system_refuses_and_a_closed_output_are_one_sentence(capsys: Capsys) -> None:
     said = refused(capsys, "takes", "x" * 5000)
     assert said.endswith("; check the name, its folder and the disk")
     assert len(said) < 400

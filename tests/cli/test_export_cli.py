@@ -16,34 +16,27 @@ from phonemeengine.mouth.curves_file import read_curves
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.key_layer import KeyCurve, KeyLayer, keys_beside, write_keys
-from phonemeengine.mouth.table import TABLES
 from phonemeengine.settings import SAMPLE_RATE
-from tests.bad_files import ODD_FILES
 from tests.glb_faces import face_with_targets
 from tests.sounds import silence
-from tests.tables import outputs_in, refused
-
-TEXTS = [name for name, form in FORMATS.items() if not form.moves_mesh]
+from tests.tables import Capsys, outputs_in, refused
 
 
 def exported(*words: object) -> None:
     assert main(["export", *(str(word) for word in words)]) == 0
 
 
-@pytest.mark.parametrize("name", TEXTS)
-def test_every_format_is_printed_or_written_alike(
-    name: str, sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    exported(sound, "--format", name)
+def test_a_format_is_printed_or_written_alike(sound: Path, tmp_path: Path, capsys: Capsys) -> None:
+    exported(sound, "--format", "livelink-csv")
     said = capsys.readouterr()
     assert said.err == ""
-    exported(sound, "--format", name, "-o", tmp_path / "out")
-    target = tmp_path / "out" / f"speech{FORMATS[name].full_ending}"
+    exported(sound, "--format", "livelink-csv", "-o", tmp_path / "out")
+    target = tmp_path / "out" / "speech.livelink.csv"
     assert target.read_text(encoding="utf-8") == said.out
     assert [path for path in (tmp_path / "out").rglob("*") if path.is_file()] == [target]
 
 
-def test_the_demo_opens_and_closes_the_mouth_of_rhubarb(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_demo_opens_and_closes_the_mouth_of_rhubarb(capsys: Capsys) -> None:
     exported(DEMO, "--format", "rhubarb-json")
     document = json.loads(capsys.readouterr().out)
     assert document["metadata"]["soundFile"] == "demo.flac"
@@ -75,7 +68,7 @@ def test_edited_keys_beside_a_sound_move_its_blend_shapes_and_a_clip_of_it(sound
     assert np.any(found["edited"].weights != found["plain"].weights)
     clips = [tmp_path / name for name in ("plain.gif", "edited.gif")]
     for clip, words in zip(clips, ([], ["--keys", "auto"]), strict=True):
-        assert main(["preview", str(sound), "-o", str(clip), "--size", "64x64", "--fps", "10", *words]) == 0
+        assert main(["preview", str(sound), "-o", str(clip), "--size", "64x64", "--fps", "5", *words]) == 0
     assert clips[0].read_bytes() != clips[1].read_bytes()
 
 
@@ -97,7 +90,7 @@ def test_the_programs_own_head_is_animated_where_no_other_is_named(sound: Path, 
     assert gltf.accessors[turned.output].type == "VEC4"
 
 
-def test_wishes_reach_the_format(sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_wishes_reach_the_format(sound: Path, tmp_path: Path, capsys: Capsys) -> None:
     words = (sound, "--format", "curves-json", "--fps", 25, "--minimum", 0.1, "--anticipation", 0, "--table", "five")
     exported(*words, "--no-blinks", "--no-head", "--seed", 3)
     document = json.loads(capsys.readouterr().out)
@@ -111,7 +104,7 @@ def test_wishes_reach_the_format(sound: Path, tmp_path: Path, capsys: pytest.Cap
 
 
 def test_a_folder_is_walked_and_what_cannot_be_read_is_said_and_passed_over(
-    sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    sound: Path, tmp_path: Path, capsys: Capsys
 ) -> None:
     folder = tmp_path / "sounds"
     (folder / "deep").mkdir(parents=True)
@@ -126,14 +119,9 @@ def test_a_folder_is_walked_and_what_cannot_be_read_is_said_and_passed_over(
     assert outputs_in(tmp_path / "out") == ["a.mouth.TextGrid", "deep/c.mouth.TextGrid"]
 
 
-@pytest.mark.parametrize("name", ODD_FILES)
-def test_an_unusual_file_can_be_exported_too(name: str, tmp_path: Path) -> None:
-    exported(ODD_FILES[name](tmp_path), "--format", "rhubarb-xml", "-o", tmp_path / "out")
-
-
 @pytest.mark.parametrize("out", ["project.pgo", "deep/project.pgo", "deep", None])
 def test_papagayo_finds_the_sound_wherever_the_project_lies_and_whoever_wrote_it(
-    out: str | None, sound: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    out: str | None, sound: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capsys
 ) -> None:
     for folder, name in ((tmp_path, "speech.wav"), (tmp_path / "elsewhere", "../speech.wav")):
         folder.mkdir(exist_ok=True)
@@ -149,39 +137,12 @@ def test_papagayo_finds_the_sound_wherever_the_project_lies_and_whoever_wrote_it
         assert Path(named).samefile(sound)
 
 
-def test_silence_is_a_mouth_at_rest(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_silence_is_a_mouth_at_rest(tmp_path: Path, capsys: Capsys) -> None:
     soundfile.write(tmp_path / "silence.wav", silence(0.5), SAMPLE_RATE)
     exported(tmp_path / "silence.wav", "--format", "rhubarb-tsv")
     assert capsys.readouterr().out == "0.00\tX\n0.50\tX\n"
     exported(tmp_path / "silence.wav", "--format", "moho-dat")
     assert capsys.readouterr().out == "MohoSwitch1\n1 rest\n13 rest\n"
-
-
-def test_a_table_of_ones_own_is_used(sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    text = (TABLES / "preston-blair.toml").read_text(encoding="utf-8")
-    (tmp_path / "mine.toml").write_text(text.replace("rest", "mouth_closed"), encoding="utf-8")
-    exported(sound, "--format", "moho-dat", "--table", tmp_path / "mine.toml")
-    assert capsys.readouterr().out.splitlines()[1] == "1 mouth_closed"
-
-
-def test_a_file_that_cannot_be_written_is_said_and_leaves_nothing(
-    sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    (tmp_path / "file").write_text("mine")
-    said = refused(capsys, "export", sound, "--format", "anno", "-o", tmp_path / "file" / "a.anno")
-    assert "cannot be written" in said
-    assert (tmp_path / "file").read_text() == "mine"
-
-
-def test_two_sounds_of_one_name_do_not_overwrite_each_other(
-    sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    samples, rate = soundfile.read(sound)
-    soundfile.write(tmp_path / "speech.flac", np.clip(samples, -1, 1), rate)
-    said = refused(
-        capsys, "export", sound, tmp_path / "speech.flac", "--format", "rhubarb-tsv", "-o", tmp_path / "out"
-    )
-    assert said == "speech.flac: its file speech.rhubarb.tsv is already that of speech.wav; rename one of them"
 
 
 @pytest.mark.parametrize(
@@ -204,7 +165,7 @@ def test_what_cannot_be_done_is_said_in_one_sentence(
     sentence: str,
     sound: Path,
     tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
+    capsys: Capsys,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.chdir(tmp_path)
@@ -212,7 +173,7 @@ def test_what_cannot_be_done_is_said_in_one_sentence(
     assert refused(capsys, "export", sound, *words).startswith(sentence)
 
 
-def test_help_names_every_format_and_what_reads_it(capsys: pytest.CaptureFixture[str]) -> None:
+def test_help_names_every_format_and_what_reads_it(capsys: Capsys) -> None:
     with pytest.raises(SystemExit) as end:
         main(["export", "--help"])
     assert end.value.code == 0
@@ -224,12 +185,9 @@ def test_help_names_every_format_and_what_reads_it(capsys: pytest.CaptureFixture
 @pytest.mark.parametrize(
     ("name", "kind"),
     [
-        ("x.tsv", "rhubarb-tsv"),
-        ("x.pgo", "papagayo-pgo"),
         ("x.glb", "gltf"),
         ("x.LiveLink.csv", "livelink-csv"),
         ("x.curves.json", "curves-json"),
-        ("x.anno", "anno"),
     ],
 )
 def test_the_ending_of_a_file_says_its_format_where_one_alone_ends_so(
@@ -256,7 +214,7 @@ def test_standard_output_has_what_a_file_would_have(
 
 
 @pytest.mark.skipif(not Path("/dev/full").is_char_device(), reason="this system has no device that is always full")
-def test_a_full_disk_is_told_once(sound: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_full_disk_is_told_once(sound: Path, capsys: Capsys) -> None:
     said = refused(capsys, "export", sound, "--format", "anno", "-o", "/dev/full")
     assert said == "/dev/full: cannot be written (No space left on device); choose another place"
     assert Path("/dev/full").is_char_device()

@@ -12,7 +12,7 @@ from phonemeengine.mouth.osc import OscSettings
 from phonemeengine.mouth.table import load_table
 from phonemeengine.performance.face_network import LIVE, FaceLayer, load_face_network
 from tests.cli.test_listen_osc import listen_to_speech, microphone, receiver
-from tests.tables import refused
+from tests.tables import Capsys, refused
 from tests.waiting import wait_for
 
 __all__ = ["microphone", "receiver"]
@@ -40,7 +40,7 @@ def jaws(path: str) -> list[float]:
         return [float(row["JawOpen"]) for row in csv.DictReader(file)]
 
 
-def test_a_recording_moves_a_face_by_the_network_without_words(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_recording_moves_a_face_by_the_network_without_words(capsys: Capsys) -> None:
     assert main([*EXPORT, "rules.csv", "--overwrite"]) == 0
     assert main([*EXPORT, "network.csv", "--overwrite", *NETWORK]) == 0
     assert "Ada: note: the performer is synthetic" in capsys.readouterr().err
@@ -74,15 +74,13 @@ def test_what_is_sent_of_live_speech_is_moved_by_the_network(microphone, receive
         (["performance", "learn", "nowhere", "-o", "x.face"], "nowhere: this folder cannot be read"),
     ],
 )
-def test_what_cannot_be_is_said(words: list[str], sentence: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_cannot_be_is_said(words: list[str], sentence: str, capsys: Capsys) -> None:
     Path("network.csv").touch()
     assert sentence in refused(capsys, *words)
     assert not {*Path().glob("x.*")}
 
 
-def test_a_voice_moves_a_face_as_its_recording_does_and_silent_speech_does_not(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_a_voice_moves_a_face_as_its_recording_does_and_silent_speech_does_not(capsys: Capsys) -> None:
     written = ["--format", "livelink-csv", "--overwrite", *NETWORK]
     said = ["speak", "Bob may come.", "--language", "en-us"]
     assert main([*said, "-o", "said.wav", "--labels", "said.TextGrid", "--export", "said.csv", *written]) == 0
@@ -96,7 +94,7 @@ def test_a_voice_moves_a_face_as_its_recording_does_and_silent_speech_does_not(
 
 
 @pytest.mark.parametrize("words", [NETWORK, [*NETWORK, "--osc", "127.0.0.1:9", "--table", "vrm"]])
-def test_listening_says_what_the_network_needs(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+def test_listening_says_what_the_network_needs(words: list[str], capsys: Capsys) -> None:
     with pytest.raises(SystemExit):
         main(["listen", *words])
     assert ("--osc" if words is NETWORK else "use arkit") in capsys.readouterr().err

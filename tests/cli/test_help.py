@@ -21,6 +21,7 @@ from tests.fakes.portaudio import FakePortAudio
 from tests.graphics import context_or_skip
 from tests.meshes import CUBE_OBJ
 from tests.sounds import noise, vowel
+from tests.tables import Capsys
 
 PARTED = {"movestates": movestates, "performance": performance}
 """Commands that do several things, by name."""
@@ -59,7 +60,7 @@ def words_of(example: str) -> list[str]:
     return words
 
 
-def help_of(capsys: pytest.CaptureFixture[str], *words: str) -> str:
+def help_of(capsys: Capsys, *words: str) -> str:
     with pytest.raises(SystemExit) as ended:
         main([*words, "--help"])
     assert ended.value.code == 0
@@ -67,9 +68,7 @@ def help_of(capsys: pytest.CaptureFixture[str], *words: str) -> str:
 
 
 @pytest.mark.parametrize("command", [*COMMANDS, "window"])
-def test_help_begins_with_a_sentence_and_ends_with_three_examples(
-    command: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_help_begins_with_a_sentence_and_ends_with_three_examples(command: str, capsys: Capsys) -> None:
     words = [] if command == "window" else [command]
     found = help_of(capsys, *words).rstrip().split("\n\n")
     assert re.fullmatch(r"[A-Z][^\n]+\.", found[0])
@@ -83,7 +82,7 @@ def test_help_begins_with_a_sentence_and_ends_with_three_examples(
     ("command", "what"), [(command, what) for command, module in PARTED.items() for what in module.EXAMPLES_OF]
 )
 def test_help_of_what_a_command_does_has_a_sentence_and_three_examples(
-    command: str, what: str, capsys: pytest.CaptureFixture[str]
+    command: str, what: str, capsys: Capsys
 ) -> None:
     found = help_of(capsys, command, what).rstrip().split("\n\n")
     assert re.fullmatch(r"[A-Z][^\n]+\.", found[0])
@@ -147,7 +146,7 @@ PREPARED = {
 @pytest.mark.usefixtures("home")
 @pytest.mark.parametrize("command", [pytest.param("performance", marks=pytest.mark.long), "movestates"])
 def test_the_examples_of_what_a_command_does_run_one_after_the_other(
-    command: str, folder: Path, capsys: pytest.CaptureFixture[str]
+    command: str, folder: Path, capsys: Capsys
 ) -> None:
     (folder / "lines.txt").write_text(f"{TEXT}\n", encoding="utf-8")
     for what, examples in PARTED[command].EXAMPLES_OF.items():
@@ -162,7 +161,7 @@ def test_the_examples_of_what_a_command_does_run_one_after_the_other(
 @pytest.mark.parametrize(
     "command", [pytest.param(c, marks=[pytest.mark.long] if c in SLOW else []) for c in (*COMMANDS, "window")]
 )
-def test_the_examples_run(command: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_examples_run(command: str, folder: Path, capsys: Capsys) -> None:
     PREPARED.get(command, lambda _folder: None)(folder)
     if command == "preview":
         context_or_skip().release()
@@ -180,6 +179,6 @@ def read(command: str, words: list[str]) -> None:
     parser.parse_args(words[command != "window" :])
 
 
-def test_the_help_of_score_names_its_own_default(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_help_of_score_names_its_own_default(capsys: Capsys) -> None:
     assert "(default: real-time)" in " ".join(help_of(capsys, "score").split())
     assert "(default: the best available)" in " ".join(help_of(capsys, "export").split())

@@ -28,6 +28,7 @@ from phonemeengine.settings import SAMPLE_RATE
 from tests.fakes.microphones import HandDrivenListener, HandDrivenMicrophone, Microphones, frames_in, offline
 from tests.fakes.players import SPEECH
 from tests.fakes.portaudio import FakePortAudio
+from tests.tables import Capsys
 from tests.waiting import Clock
 
 PRESET = load_preset(DEFAULT_PRESET)
@@ -69,19 +70,11 @@ def listener(openers: Openers, clock: Clock) -> Callable[..., HandDrivenListener
 # -- wrong words ----------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("command", ["listen", "record"])
-def test_help_is_given(command: str, capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit) as end:
-        main([command, "--help"])
-    assert end.value.code == 0
-    assert "--device NAME" in capsys.readouterr().out
-
-
 # -- devices --------------------------------------------------------------------------------------------------
 
 
 def test_microphones_are_listed_a_line_each_with_a_star_at_the_default(
-    portaudio: FakePortAudio, capsys: pytest.CaptureFixture[str]
+    portaudio: FakePortAudio, capsys: Capsys
 ) -> None:
     portaudio.plug("Built-in", 2)
     portaudio.plug("Speaker", 0)
@@ -96,7 +89,7 @@ def test_microphones_are_listed_a_line_each_with_a_star_at_the_default(
 
 @pytest.mark.usefixtures("portaudio")
 @pytest.mark.parametrize("words", [["listen", "--list-devices"], ["listen"], ["record", "never.wav"]])
-def test_without_a_microphone_it_says_so_and_fails(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+def test_without_a_microphone_it_says_so_and_fails(words: list[str], capsys: Capsys) -> None:
     assert main(words) == 1
     said = capsys.readouterr()
     assert said.out == ""
@@ -106,7 +99,7 @@ def test_without_a_microphone_it_says_so_and_fails(words: list[str], capsys: pyt
 
 
 def test_a_microphone_that_is_not_there_is_said_before_anything_is_begun(
-    portaudio: FakePortAudio, capsys: pytest.CaptureFixture[str], tmp_path: Path
+    portaudio: FakePortAudio, capsys: Capsys, tmp_path: Path
 ) -> None:
     portaudio.plug("Yeti")
     assert main(["record", str(tmp_path / "a.wav"), "--device", "Gone"]) == 1
@@ -132,7 +125,7 @@ def expected_confidences() -> list[float]:
 
 
 @pytest.mark.parametrize("n", [1, 7, 1000])
-def test_each_change_of_phoneme_is_a_line_however_the_frames_come(n: int, capsys: pytest.CaptureFixture[str]) -> None:
+def test_each_change_of_phoneme_is_a_line_however_the_frames_come(n: int, capsys: Capsys) -> None:
     whole, changes = offline(SPEECH, PRESET), ChangePrinter(json_line)
     for k in range(0, len(whole), n):
         changes.follow(whole.part(slice(k, k + n)))
@@ -145,7 +138,7 @@ def test_each_change_of_phoneme_is_a_line_however_the_frames_come(n: int, capsys
     assert len(lines) > 4
 
 
-def test_the_latency_of_a_line_is_the_age_of_its_first_frame(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_latency_of_a_line_is_the_age_of_its_first_frame(capsys: Capsys) -> None:
     class Aged:
         def age_of(self, frame: int) -> float:
             return frame / 1000
@@ -160,7 +153,7 @@ def test_the_latency_of_a_line_is_the_age_of_its_first_frame(capsys: pytest.Capt
         assert line["latency_ms"] == pytest.approx(line["time_s"] * 100)
 
 
-def test_lines_of_text_have_time_phoneme_and_intensity_in_columns(capsys: pytest.CaptureFixture[str]) -> None:
+def test_lines_of_text_have_time_phoneme_and_intensity_in_columns(capsys: Capsys) -> None:
     ChangePrinter(text_line).follow(offline(SPEECH, PRESET))
     lines = capsys.readouterr().out.splitlines()
     words = [line.split() for line in lines]
@@ -180,7 +173,7 @@ def test_how_sure_it_is_is_not_said_where_nobody_measured_it() -> None:
 
 
 def test_listening_prints_the_changes_and_says_elsewhere_what_it_listens_to(
-    microphone: HandDrivenMicrophone, listener: Callable[..., HandDrivenListener], capsys: pytest.CaptureFixture[str]
+    microphone: HandDrivenMicrophone, listener: Callable[..., HandDrivenListener], capsys: Capsys
 ) -> None:
     microphone.give(SPEECH)
     listening.listen(PRESET, InputChoice(), len(SPEECH) / SAMPLE_RATE, "json", open_listener=listener)
@@ -192,7 +185,7 @@ def test_listening_prints_the_changes_and_says_elsewhere_what_it_listens_to(
 
 
 def test_it_says_how_late_and_how_right_it_was_as_far_ahead_as_the_user_let_it_look(
-    microphone: HandDrivenMicrophone, listener: Callable[..., HandDrivenListener], capsys: pytest.CaptureFixture[str]
+    microphone: HandDrivenMicrophone, listener: Callable[..., HandDrivenListener], capsys: Capsys
 ) -> None:
     learned = factory_preset("learned")
     assert learned.model is not None
@@ -209,7 +202,7 @@ def test_it_says_how_late_and_how_right_it_was_as_far_ahead_as_the_user_let_it_l
 
 @pytest.mark.parametrize("words", [[], ["--look-ahead", "0.04"]])
 def test_the_look_ahead_is_the_presets_or_the_users(
-    words: list[str], portaudio: FakePortAudio, capsys: pytest.CaptureFixture[str]
+    words: list[str], portaudio: FakePortAudio, capsys: Capsys
 ) -> None:
     portaudio.plug("Yeti", hears=SPEECH)
     assert main(["listen", "--preset", "learned", "--model", "real-time", "--seconds", "0.5", *words]) == 0
@@ -220,7 +213,7 @@ def test_the_look_ahead_is_the_presets_or_the_users(
 def test_recording_keeps_the_length_and_reports_it(
     microphone: HandDrivenMicrophone,
     listener: Callable[..., HandDrivenListener],
-    capsys: pytest.CaptureFixture[str],
+    capsys: Capsys,
     tmp_path: Path,
 ) -> None:
     microphone.give(SPEECH)
@@ -271,7 +264,7 @@ def test_what_fails_in_the_listening_reaches_the_caller(
 def test_a_recording_across_a_lost_microphone_says_how_long_the_sound_and_the_gap_are(
     microphone: HandDrivenMicrophone,
     openers: Openers,
-    capsys: pytest.CaptureFixture[str],
+    capsys: Capsys,
     tmp_path: Path,
     clock: Clock,
     listener: Callable[..., HandDrivenListener],
@@ -303,7 +296,7 @@ def test_a_microphone_that_vanishes_while_it_is_recorded_is_reported_as_lost(
     microphone: HandDrivenMicrophone,
     clock: Clock,
     listener: Callable[..., HandDrivenListener],
-    capsys: pytest.CaptureFixture[str],
+    capsys: Capsys,
     tmp_path: Path,
 ) -> None:
     class Closed(Event):

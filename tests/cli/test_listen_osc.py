@@ -19,7 +19,7 @@ from tests.fakes.microphones import HandDrivenListener, HandDrivenMicrophone, Mi
 from tests.fakes.osc_receiver import Receiver
 from tests.fakes.players import SPEECH
 from tests.fakes.portaudio import FakePortAudio
-from tests.tables import refused
+from tests.tables import Capsys, refused
 from tests.waiting import Clock, wait_for
 
 PRESET = load_preset(DEFAULT_PRESET)
@@ -50,7 +50,7 @@ def spoken(names: Iterable[str]) -> list[str]:
 
 
 def test_a_program_beside_it_hears_the_phonemes_that_are_printed(
-    microphone: HandDrivenMicrophone, receiver: Receiver, capsys: pytest.CaptureFixture[str]
+    microphone: HandDrivenMicrophone, receiver: Receiver, capsys: Capsys
 ) -> None:
     listen_to_speech(microphone, OscSettings(receiver.address, load_table("vrm")))
     printed = spoken(line.split()[2] for line in capsys.readouterr().out.splitlines())
@@ -62,7 +62,7 @@ def test_a_program_beside_it_hears_the_phonemes_that_are_printed(
 
 
 def test_a_receiver_that_cannot_be_reached_is_said_at_the_end_and_all_is_printed(
-    microphone: HandDrivenMicrophone, capsys: pytest.CaptureFixture[str]
+    microphone: HandDrivenMicrophone, capsys: Capsys
 ) -> None:
     listen_to_speech(microphone, OscSettings(OscAddress("255.255.255.255", 9), load_table("vrm")))
     said = capsys.readouterr()
@@ -71,7 +71,7 @@ def test_a_receiver_that_cannot_be_reached_is_said_at_the_end_and_all_is_printed
 
 
 @pytest.mark.usefixtures("microphone")
-def test_the_command_line_sends_too(receiver: Receiver, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_line_sends_too(receiver: Receiver, capsys: Capsys) -> None:
     to = f"{receiver.address.host}:{receiver.address.port}"
     assert main(["listen", "--seconds", "0.5", "--osc", to, "--table", "vrm"]) == 0
     wait_for(lambda: set(receiver.weights()) == {"A", "I", "U", "E", "O"}, "a face")
@@ -96,14 +96,14 @@ def test_the_command_line_moves_a_face_as_the_head_moves_unless_told_otherwise(
     ],
 )
 def test_wrong_receivers_and_tables_are_said_before_anything_is_begun(
-    words: tuple[str, ...], sentence: str, microphone: HandDrivenMicrophone, capsys: pytest.CaptureFixture[str]
+    words: tuple[str, ...], sentence: str, microphone: HandDrivenMicrophone, capsys: Capsys
 ) -> None:
     assert refused(capsys, "listen", *words).startswith(sentence)
     assert not microphone.closed.is_set()
 
 
 def test_a_smile_is_sent_with_the_mouth_and_another_program_may_ask_for_more(
-    microphone: HandDrivenMicrophone, receiver: Receiver, capsys: pytest.CaptureFixture[str]
+    microphone: HandDrivenMicrophone, receiver: Receiver, capsys: Capsys
 ) -> None:
     with OscExpression(OscAddress("127.0.0.1", 0)) as asked:
         client = SimpleUDPClient("127.0.0.1", asked.port)

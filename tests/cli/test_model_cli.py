@@ -14,8 +14,7 @@ import soundfile
 
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.server.service import ServerSettings
-from phonemeengine import Phoneme, Preset, SoundReader, cues, for_files, load_preset, transcribe
-from phonemeengine.analyser import analyse_file
+from phonemeengine import Phoneme, Preset, cues, for_files, load_preset, transcribe
 from phonemeengine.encoder.live import build_live_encoder
 from phonemeengine.presets.files import save_preset
 from phonemeengine.presets.model_choice import for_live_use, model_in_words
@@ -58,14 +57,6 @@ def test_the_command_line_recognises_a_file_as_the_api_does(capsys, sound, prese
     assert table(capsys, sound, "--preset", preset, *asked) == found
 
 
-def test_the_best_model_is_taken_unless_another_is_asked_for(capsys, sound, preset):
-    best, offline, live = (
-        table(capsys, sound, "--preset", preset, *kind)
-        for kind in ((), ("--model", "offline"), ("--model", "real-time"))
-    )
-    assert best == offline != live
-
-
 def test_tables_tell_the_model(capsys, sound, preset):
     for kind, words in (("offline", "offline, ±0.1 s of context"), ("real-time", "learned, look-ahead 50 ms")):
         assert main(["analyse", str(sound), "--preset", str(preset), "--format", "json", "--model", kind]) == 0
@@ -87,11 +78,6 @@ def test_a_model_that_is_missing_is_told_and_the_real_time_model_serves(capsys, 
     assert [row["phoneme"] for row in rows_of(said.out)] == live
     assert said.err.startswith("phonemeanalyser: both: note: both.files.npz: the model cannot be read")
     assert said.err.count("\n") == 1
-
-
-def test_a_model_that_a_preset_lacks_is_told(capsys, sound):
-    assert main(["analyse", str(sound), "--preset", "thesis", "--model", "offline"]) == 0
-    assert "has no other model for files" in capsys.readouterr().err
 
 
 @pytest.mark.usefixtures("portaudio")
@@ -133,28 +119,15 @@ def test_scores_are_of_the_real_time_model_unless_another_is_named(capsys, tmp_p
         assert f"model: {words}" in capsys.readouterr().out
 
 
-def test_an_open_file_is_recognised_as_well(sound, preset):
-    with SoundReader(sound) as reader:
-        n = sum(len(analysis) for analysis in analyse_file(reader, load_preset(preset)))
-    assert n == -(-len(SOUND) // 441)
-
-
-@pytest.mark.parametrize(
-    ("old", "new", "told"),
-    [
-        (["--ear", "twin"], ["--model", "offline"], ["--ear is now --model", "twin is now offline"]),
-        (["--ear=live"], ["--model=real-time"], ["--ear is now --model", "live is now real-time"]),
-        (["--model", "twin"], ["--model", "offline"], ["twin is now offline"]),
-    ],
-)
-def test_the_names_of_the_release_before_still_work_and_the_new_ones_are_told(capsys, sound, preset, old, new, told):
+def test_the_names_of_the_release_before_still_work_and_the_new_ones_are_told(capsys, sound, preset):
     words = ["analyse", str(sound), "--preset", str(preset)]
-    assert main([*words, *new]) == 0
+    assert main([*words, "--model=real-time"]) == 0
     expected, nothing = capsys.readouterr()
-    assert main([*words, *old]) == 0
+    assert main([*words, "--ear=live"]) == 0
     out, err = capsys.readouterr()
     assert (out, nothing) == (expected, "")
-    assert [line.removeprefix("phonemeanalyser analyse: ").partition(";")[0] for line in err.splitlines()] == told
+    told = [line.removeprefix("phonemeanalyser analyse: ").partition(";")[0] for line in err.splitlines()]
+    assert told == ["--ear is now --model", "live is now real-time"]
 
 
 def test_a_table_of_an_older_version_is_written_anew(sound, preset, tmp_path):

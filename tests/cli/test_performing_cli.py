@@ -12,6 +12,7 @@ from phonemeengine import SoundReader
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.performance.corpus import build_table, pitches_of
 from tests.engine.performance.corpora import TONE, write_recording
+from tests.tables import Capsys
 
 JAW = 2 + ARKIT.index("jawOpen")
 PLAIN = ["--without", "poses,filters,energy,window"]
@@ -50,7 +51,7 @@ def test_lips_meet_in_an_export_unless_poses_are_left_out(recorded: Path) -> Non
     assert min(second_m) < 0.06
 
 
-def test_a_text_is_said_by_the_table_without_sound_too(recorded: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_text_is_said_by_the_table_without_sound_too(recorded: Path, capsys: Capsys) -> None:
     words = ["妈咪", "--silent", "--performance", "ann.sqlite", "--export", "out.csv", "--format", "livelink-csv"]
     assert main(["speak", *words]) == 0
     assert max(jaws_in(recorded / "out.csv")) > 0.3
@@ -58,13 +59,7 @@ def test_a_text_is_said_by_the_table_without_sound_too(recorded: Path, capsys: p
     assert "Ann: note: the recordings have no [p], so it looks like [m]" in capsys.readouterr().err
 
 
-def test_a_voice_is_said_by_the_table(recorded: Path) -> None:
-    words = ["mummy", "--language", "en-us", "--performance", "ann.sqlite", "--units", "units.csv"]
-    assert main(["speak", *words]) == 0
-    assert "m" in (recorded / "units.csv").read_text(encoding="utf-8")
-
-
-def test_the_recordings_speak_in_place_of_the_voice(recorded: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_recordings_speak_in_place_of_the_voice(recorded: Path, capsys: Capsys) -> None:
     words = ["speak", "mummy", "--language", "en-us", "--performance", "ann.sqlite", "--performance-sound"]
     assert main([*words, "-o", "own.wav", "--units", "units.csv"]) == 0
     assert "Ann: note: the recordings have no [ʌ], so it sounds like" in capsys.readouterr().err
@@ -98,9 +93,7 @@ def test_the_head_makes_the_gestures_of_key_words_unless_it_is_left_out(recorded
     assert "pitch" not in _head_in(recorded)
 
 
-def test_formats_with_shapes_of_their_own_follow_the_phones(
-    recorded: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_formats_with_shapes_of_their_own_follow_the_phones(recorded: Path, capsys: Capsys) -> None:
     words = ["mami.wav", "--performance", "ann.sqlite", "--format", "rhubarb-tsv", "--script", "mami.TextGrid"]
     assert main(["export", *words]) == 0
     said = capsys.readouterr()
@@ -127,19 +120,16 @@ EXPORT = ["export", "mami.wav", "--format", "livelink-csv", "-o", "out.csv"]
         ([*EXPORT, *TABLES], "one table moves a face, and there are 'Ann', 'Ann'; name one of them with --use"),
         ([*EXPORT, "--performance", "ann.sqlite", "--use", "Bob"], "there is no such table 'Bob', but 'Ann'"),
         ([*EXPORT, *TABLES, "--person", "Bob"], "there is no table of 'Bob', as none says who speaks in it"),
-        ([*EXPORT, "--performance", "mami.wav"], "mami.wav: this is no table of performances"),
-        ([*EXPORT, "--performance", "ann.sqlite"], "looked up by the phones that are said, which are unknown"),
         ([*EXPORT, "--performance", "ann.sqlite", "--keywords", "mami.csv"], "mami.csv: this is no TOML file"),
         ([*EXPORT, "--performance", "ann.sqlite", "--units", "mami.csv"], "mami.csv: the file that is there"),
         (
             ["speak", "hi", "--silent", "--plan", "-", "--performance", "ann.sqlite", "--performance-sound"],
             "without sound no recording speaks; leave --performance-sound, --silent or --recording out",
         ),
-        (["speak", "hi", "--text-driver", "table"], "--text-driver table needs a table of recorded faces"),
     ],
 )
 def test_what_cannot_be_done_is_said_in_a_sentence(
-    recorded: Path, words: list[str], sentence: str, capsys: pytest.CaptureFixture[str]
+    recorded: Path, words: list[str], sentence: str, capsys: Capsys
 ) -> None:
     assert main(words) == 1
     err = capsys.readouterr().err
@@ -148,9 +138,7 @@ def test_what_cannot_be_done_is_said_in_a_sentence(
 
 
 @pytest.mark.parametrize("words", [["--use", "Ann"], ["--keywords", "own.toml"], ["--choice", "band"]])
-def test_what_only_recorded_faces_use_is_wrong_usage_without_them(
-    words: list[str], capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_what_only_recorded_faces_use_is_wrong_usage_without_them(words: list[str], capsys: Capsys) -> None:
     with pytest.raises(SystemExit, match="2"):
         main([*EXPORT, *words])
     assert f"{words[0]} goes with --performance: name a table" in capsys.readouterr().err

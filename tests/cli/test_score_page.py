@@ -23,6 +23,7 @@ from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.rule_text import rule_lines
 from phonemeengine.recognition.rules import Condition, Rule
 from tests.corpora import put, speech, write_corpus, write_manifest
+from tests.tables import Capsys
 
 THESIS, CLEAN = (load_preset(FACTORY / name) for name in ("thesis.toml", "thesis-anti-aliased.toml"))
 HOSTILE = "<b>\"&amp;'\x07"
@@ -45,12 +46,11 @@ def words_of(element: ElementTree.Element) -> str:
     return " ".join(" ".join(element.itertext()).split())
 
 
-@pytest.mark.parametrize("two", [False, True])
-def test_the_page_is_well_formed_and_asks_the_network_for_nothing(tmp_path: Path, two: bool) -> None:
-    page = page_of(report_on(write_corpus(tmp_path, THESIS), two=two))
+def test_the_page_is_well_formed_and_asks_the_network_for_nothing(tmp_path: Path) -> None:
+    page = page_of(report_on(write_corpus(tmp_path, THESIS), two=True))
     root = parsed(page)
     assert not re.search(r"https?:|url\(|src=|href=|@import|<script", page, re.IGNORECASE)
-    assert len(root.findall(".//svg")) >= 3 + two
+    assert len(root.findall(".//svg")) >= 4
     assert "prefers-color-scheme:dark" in page
     assert "@media print" in page
     for variable in re.findall(r"var\(--(\w+)\)", page):
@@ -149,7 +149,7 @@ def test_hostile_names_are_only_words(tmp_path: Path) -> None:
     assert '<b>"' not in page
 
 
-def test_what_was_left_out_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_was_left_out_is_said(tmp_path: Path, capsys: Capsys) -> None:
     write_corpus(tmp_path, THESIS)
     (tmp_path / "u0.wav").write_bytes(b"none")
     out = tmp_path / "r.html"
@@ -181,13 +181,9 @@ def test_a_long_recording_is_drawn_as_far_as_it_says(tmp_path: Path) -> None:
 
 def test_who_asks_for_no_page_does_not_wait_for_templates(tmp_path: Path) -> None:
     words = ["score", str(write_corpus(tmp_path, THESIS, ["c/s"])), "--preset", str(FACTORY / "thesis.toml")]
-    code = "import sys; from phonemeanalyser.cli.main import main\nfor kind in ('text', 'html'):\n"
-    code += " main([*sys.argv[1:], '--format', kind]); print('\\nloaded:', 'jinja2' in sys.modules)"
+    code = "import sys; from phonemeanalyser.cli.main import main; main(sys.argv[1:]); print('jinja2' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code, *words], capture_output=True, text=True, check=True)
-    assert [line for line in done.stdout.splitlines() if line.startswith("loaded:")] == [
-        "loaded: False",
-        "loaded: True",
-    ]
+    assert done.stdout.endswith("False\n")
 
 
 def test_figures_are_written_as_people_read_them() -> None:

@@ -14,7 +14,7 @@ from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
 from phonemeengine.phonemes import Phoneme
 from tests.conftest import CORPUS
-from tests.tables import outputs_in, refused, rows_of
+from tests.tables import Capsys, refused, rows_of
 
 SAID = CORPUS / "espeak_de" / "de" / "de_01.flac"
 TEXT = "Es regnet, aber der See ist eben und leer."
@@ -26,7 +26,7 @@ def run(*words: object) -> None:
     assert main([str(word) for word in words]) == 0
 
 
-def test_phones_and_words_stand_in_the_table(capsys: pytest.CaptureFixture[str]) -> None:
+def test_phones_and_words_stand_in_the_table(capsys: Capsys) -> None:
     run("analyse", SAID, "--text", TEXT, "--language", "de")
     rows = rows_of(capsys.readouterr().out)
     assert list(dict.fromkeys(row["word"] for row in rows if row["word"])) == WORDS
@@ -46,9 +46,7 @@ def test_a_textgrid_holds_words_phones_and_phonemes_and_is_read_again(tmp_path: 
     assert (tmp_path / "again.TextGrid").read_text("utf-8") == grid.read_text("utf-8")
 
 
-def test_words_with_times_from_another_program_keep_them_and_get_phones(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_words_with_times_from_another_program_keep_them_and_get_phones(tmp_path: Path, capsys: Capsys) -> None:
     run("analyse", SAID, "--text", TEXT, "--language", "de", "--format", "json")
     words = [(word["word"], word["start_s"], word["end_s"]) for word in json.loads(capsys.readouterr().out)["words"]]
     moved = [(word, round(start + 0.01, 3), round(end + 0.01, 3)) for word, start, end in words]
@@ -69,7 +67,7 @@ def test_words_with_times_from_another_program_keep_them_and_get_phones(
         assert [phone.ipa for phone in said.words[0].phones] == ["ɛ", "s"]
 
 
-def test_what_words_with_times_lack_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_words_with_times_lack_is_said(tmp_path: Path, capsys: Capsys) -> None:
     words = [
         {"word": "Es", "start": 0.1, "end": 0.4, "speaker": "A"},
         {"word": "so", "start": 1, "end": 2, "speaker": "B"},
@@ -81,7 +79,7 @@ def test_what_words_with_times_lack_is_said(tmp_path: Path, capsys: pytest.Captu
     assert "w.json: it has words without phones; name their language" in capsys.readouterr().err
 
 
-def test_a_word_that_nobody_says_is_named(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_word_that_nobody_says_is_named(capsys: Capsys) -> None:
     run("analyse", SAID, "--text", TEXT.replace("See", "kleine See"), "--language", "de", "--format", "json")
     said = capsys.readouterr()
     assert said.err == "phonemeanalyser: de_01.flac: note: these words are not spoken: kleine\n"
@@ -90,9 +88,7 @@ def test_a_word_that_nobody_says_is_named(capsys: pytest.CaptureFixture[str]) ->
     assert [word["word"] for word in found["words"]] == WORDS
 
 
-def test_another_text_is_said_to_be_one_and_the_sound_is_recognised_without_it(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_another_text_is_said_to_be_one_and_the_sound_is_recognised_without_it(capsys: Capsys) -> None:
     run("analyse", SAID)
     without = rows_of(capsys.readouterr().out)
     run("analyse", SAID, "--text", OTHER, "--language", "de")
@@ -103,7 +99,7 @@ def test_another_text_is_said_to_be_one_and_the_sound_is_recognised_without_it(
     ]
 
 
-def test_a_text_that_somebody_knows_to_be_right_is_aligned_anyway(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_text_that_somebody_knows_to_be_right_is_aligned_anyway(capsys: Capsys) -> None:
     run("analyse", SAID, "--text", OTHER, "--language", "de", "--accept-text", "--format", "json")
     said = capsys.readouterr()
     assert "another text" not in said.err
@@ -112,36 +108,19 @@ def test_a_text_that_somebody_knows_to_be_right_is_aligned_anyway(capsys: pytest
     assert set(words) & set(OTHER.replace(".", "").split())
 
 
-@pytest.mark.parametrize("command", ["analyse", "align"])
-def test_the_notation_of_a_script_is_not_looked_for_unless_it_is_literal(
-    command: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_notation_of_a_script_is_not_looked_for_unless_it_is_literal(capsys: Capsys) -> None:
     script = "Anna: [lacht] " + TEXT.replace("See", "*See* &nbsp; <i></i>")
-    run(command, SAID, "--text", script, "--language", "de")
+    run("analyse", SAID, "--text", script, "--language", "de")
     told = capsys.readouterr().err
     assert "names and directions of the script are not spoken: Anna, [lacht]" in told
     assert "these words" not in told
-    run(command, SAID, "--text", script, "--language", "de", "--literal")
+    run("analyse", SAID, "--text", script, "--language", "de", "--literal")
     told = capsys.readouterr().err
     assert "names and directions" not in told
     assert "these words are not spoken: Anna" in told
 
 
-def test_a_table_tells_what_is_said_in_a_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    sounds, out = tmp_path / "sounds", tmp_path / "out"
-    sounds.mkdir()
-    for name in ("a.flac", "b.flac"):
-        shutil.copy(SAID, sounds / name)
-    table = tmp_path / "table.tsv"
-    table.write_text(f"a.flac\t{TEXT}\nz.flac\t{TEXT}\n", encoding="utf-8")
-    run("export", sounds, "--script", table, "--language", "de", "--format", "rhubarb-tsv", "-o", out)
-    said = capsys.readouterr().err
-    assert "there is no text for b.flac; add a line for each" in said
-    assert "there is no sound z.flac" in said
-    assert len(outputs_in(out)) == 2
-
-
-def test_the_text_beside_a_sound_is_found(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_text_beside_a_sound_is_found(tmp_path: Path, capsys: Capsys) -> None:
     for name in ("a.flac", "b.flac"):
         shutil.copy(SAID, tmp_path / name)
     (tmp_path / "a.txt").write_text(TEXT, encoding="utf-8")
@@ -181,13 +160,11 @@ def test_the_words_that_the_window_saved_beside_a_sound_go_before_a_text(tmp_pat
         ),
     ],
 )
-def test_what_cannot_be_said_is_refused_in_a_sentence(
-    words: list[str], sentence: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_what_cannot_be_said_is_refused_in_a_sentence(words: list[str], sentence: str, capsys: Capsys) -> None:
     assert sentence in refused(capsys, "analyse", SAID, *words)
 
 
-def test_a_language_alone_is_no_text(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_language_alone_is_no_text(capsys: Capsys) -> None:
     with pytest.raises(SystemExit, match="2"):
         main(["analyse", str(SAID), "--language", "de"])
     assert "goes with --text or --script" in capsys.readouterr().err

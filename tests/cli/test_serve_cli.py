@@ -10,23 +10,14 @@ from pathlib import Path
 import pytest
 
 from phonemeanalyser.cli.main import main
+from tests.tables import Capsys
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="a process is ended otherwise there")
-@pytest.mark.parametrize("ending", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("ending", [signal.SIGINT, pytest.param(signal.SIGTERM, marks=pytest.mark.long)])
 def test_it_serves_until_it_is_ended(ending: signal.Signals) -> None:
-    words = [
-        sys.executable,
-        "-m",
-        "phonemeanalyser",
-        "serve",
-        "--port",
-        "0",
-        "--preset",
-        "thesis",
-        "--max-streams",
-        "3",
-    ]
+    options = ["--port", "0", "--preset", "thesis", "--max-streams", "3"]
+    words = [sys.executable, "-m", "phonemeanalyser", "serve", *options]
     with subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         line = process.stdout.readline()
@@ -49,9 +40,7 @@ def test_it_serves_until_it_is_ended(ending: signal.Signals) -> None:
         (["--host", "no.such.host.invalid", "--token-file", "TOKEN"], "cannot be served"),
     ],
 )
-def test_what_cannot_be_served_is_said(
-    words: list[str], sentence: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_what_cannot_be_served_is_said(words: list[str], sentence: str, tmp_path: Path, capsys: Capsys) -> None:
     token = tmp_path / "token.txt"
     token.write_text("0123456789abcdef\n")
     token.chmod(0o600)
@@ -64,16 +53,14 @@ def test_what_cannot_be_served_is_said(
 @pytest.mark.parametrize(
     "words", [["--port", "70000"], ["--max-streams", "0"], ["--idle-timeout", "0"], ["--max-speed", "x"]]
 )
-def test_limits_that_are_none_are_refused(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+def test_limits_that_are_none_are_refused(words: list[str], capsys: Capsys) -> None:
     with pytest.raises(SystemExit) as ended:
         main(["serve", *words])
     assert ended.value.code == 2
     assert f"{words[0]}: must be a" in capsys.readouterr().err
 
 
-def test_packages_that_are_missing_are_named(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_packages_that_are_missing_are_named(monkeypatch: pytest.MonkeyPatch, capsys: Capsys) -> None:
     monkeypatch.setitem(sys.modules, "phonemeanalyser.server.service", None)
     assert main(["serve"]) == 1
     assert "install them with: pip install 'phonemeanalyser[server]'" in capsys.readouterr().err

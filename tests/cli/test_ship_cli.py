@@ -2,14 +2,11 @@
 
 from pathlib import Path
 
-import pytest
-
 from phonemeanalyser.cli.main import main
+from tests.tables import Capsys
 
 
-def test_a_preset_is_shipped_with_the_tables_that_are_asked_for(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_preset_is_shipped_with_the_tables_that_are_asked_for(tmp_path: Path, capsys: Capsys) -> None:
     folder = tmp_path / "game"
     words = ["ship", "thesis", "-o", str(folder), "--target", "c", "--table", "five", "--table", "vrm"]
     assert main(words) == 0
@@ -20,9 +17,7 @@ def test_a_preset_is_shipped_with_the_tables_that_are_asked_for(
     assert b"rhubarb" not in content
 
 
-def test_changed_files_are_replaced_only_where_that_is_asked_for(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_changed_files_are_replaced_only_where_that_is_asked_for(tmp_path: Path, capsys: Capsys) -> None:
     assert main(["ship", "thesis", "-o", str(tmp_path)]) == 0
     (tmp_path / "Makefile").write_text("all:\n", encoding="utf-8")
     assert main(["ship", "thesis", "-o", str(tmp_path)]) == 1
@@ -30,7 +25,7 @@ def test_changed_files_are_replaced_only_where_that_is_asked_for(
     assert main(["ship", "thesis", "-o", str(tmp_path), "--overwrite"]) == 0
 
 
-def test_a_preset_that_is_not_there_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_preset_that_is_not_there_is_refused(tmp_path: Path, capsys: Capsys) -> None:
     assert main(["ship", "nothing", "-o", str(tmp_path / "x")]) == 1
     assert "nothing: there is no such preset" in capsys.readouterr().err
     assert not (tmp_path / "x").exists()

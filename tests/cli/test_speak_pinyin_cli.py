@@ -11,6 +11,7 @@ import pytest
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.cli.window import DEMO
 from phonemeengine.speech.pinyin.table import USUAL_PINYIN_TABLE
+from tests.tables import Capsys
 
 
 def spoken(*words: object) -> None:
@@ -22,7 +23,7 @@ def jaw(path: Path) -> list[float]:
         return [float(row["JawOpen"]) for row in csv.DictReader(file)]
 
 
-def test_the_plan_of_a_text_is_printed_or_written_alike(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_plan_of_a_text_is_printed_or_written_alike(tmp_path: Path, capsys: Capsys) -> None:
     spoken("你好，吗。", "--silent", "--plan", "-")
     printed = capsys.readouterr().out
     assert printed.splitlines()[1] == "0.000,0.075,0.250,syllable,你,ni2,di"
@@ -49,9 +50,7 @@ def test_drawings_are_made_of_the_phones(tmp_path: Path) -> None:
     assert {"A", "D", "X"} <= {cue["value"] for cue in cues}
 
 
-def test_rules_move_a_face_by_its_phones_and_other_movestates_always(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_rules_move_a_face_by_its_phones_and_other_movestates_always(tmp_path: Path, capsys: Capsys) -> None:
     for driver in ("pinyin", "rules"):
         export = ["--export", tmp_path / f"{driver}.csv", "--format", "livelink-csv"]
         spoken("妈妈。", "--silent", "--text-driver", driver, *export)
@@ -91,14 +90,12 @@ def test_a_voice_that_speaks_chinese_moves_the_mouth_by_letters(tmp_path: Path) 
     assert jaw(tmp_path / "auto.csv") != jaw(tmp_path / "rules.csv")
 
 
-def test_what_is_not_said_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_is_not_said_is_told(capsys: Capsys) -> None:
     spoken("我🙂。", "--silent", "--plan", "-")
     assert "note: '🙂' has no sound that is known, and is left out\n" in capsys.readouterr().err
 
 
-def test_every_language_is_planned_without_a_sound_by_every_driver(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_every_language_is_planned_without_a_sound_by_every_driver(tmp_path: Path, capsys: Capsys) -> None:
     plans = set()
     for driver in ("auto", "rules"):
         spoken("Guten Tag, Welt.", "--language", "de", "--silent", "--text-driver", driver, "--plan", "-")
@@ -112,7 +109,7 @@ def test_every_language_is_planned_without_a_sound_by_every_driver(
     assert max(jaw(tmp_path / "m.csv")) > 0.2
 
 
-def test_a_voice_of_any_language_has_a_plan(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+def test_a_voice_of_any_language_has_a_plan(capsys: Capsys, tmp_path: Path) -> None:
     for language, text, marks in (("en-us", "Hello there. Yes!", [".", "!"]), ("cmn", "你好，吗。", ["，", "。"])):
         spoken(text, "--language", language, "--text-driver", "rules", "--plan", tmp_path / f"{language}.csv")
         with (tmp_path / f"{language}.csv").open(encoding="utf-8", newline="") as file:
@@ -122,27 +119,22 @@ def test_a_voice_of_any_language_has_a_plan(capsys: pytest.CaptureFixture[str], 
 
 def test_the_memory_of_a_silent_text_does_not_grow_with_it(tmp_path: Path) -> None:
     peaks = []
-    for n in (1_000, 6_000):
+    for n in (500, 3_000):
         (tmp_path / "t.txt").write_text("我" * n, encoding="utf-8")
         tracemalloc.start()
         spoken("--file", tmp_path / "t.txt", "--silent", "--plan", tmp_path / "p.csv", "--overwrite")
         peaks.append(tracemalloc.get_traced_memory()[1])
         tracemalloc.stop()
         assert len((tmp_path / "p.csv").read_bytes().splitlines()) == n + 1
-    assert peaks[1] < peaks[0] + 5_000 * 50  # the text itself, a few times; a row takes more than 1000 bytes
+    assert peaks[1] < peaks[0] + 2_500 * 50  # the text itself, a few times; a row takes more than 1000 bytes
 
 
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        (["hello", "--silent", "--plan", "-"], "the language of a text is not guessed; name it with --language"),
         (["。", "--language", "cmn", "--silent", "--plan", "-"], "there is no Chinese syllable in the text; write"),
         (["\n.", "--language", "de", "--silent", "--plan", "-"], "there is no word to speak in '\\n.'; write some"),
         (["你好", "--silent"], "there is nothing to write; ask for the plan with --plan"),
-        (
-            ["hi", "--language", "en", "--silent", "--plan", "-", "--text-driver", "pinyin"],
-            "text: there is no syllable of pinyin in what is said; choose another driver",
-        ),
         (
             ["你好", "--silent", "--plan", "-", "-o", "a.wav"],
             "without a voice there are no sound and labels to write",
@@ -154,13 +146,10 @@ def test_the_memory_of_a_silent_text_does_not_grow_with_it(tmp_path: Path) -> No
         (["你好", "--silent", "--plan", "-", "--rate", "11"], "the rate must lie in 0.5..10 syllables per second"),
         (["你好", "--silent", "--plan", "-", "--spring", "1,2"], "a spring is MASS,STIFFNESS,DAMPING, such as"),
         (["你好", "--silent", "--plan", "-", "--pinyin-table", "none.toml"], "none.toml: there is no such file"),
-        (["--file", "none.txt", "--silent", "--plan", "-"], "none.txt: there is no such file"),
         (["--recording", str(DEMO), "--plan", "-"], "demo.TextGrid: there is no such file"),
     ],
 )
-def test_what_cannot_be_spoken_is_refused_in_one_sentence(
-    words: list[str], sentence: str, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_what_cannot_be_spoken_is_refused_in_one_sentence(words: list[str], sentence: str, capsys: Capsys) -> None:
     assert main(["speak", *words]) == 1
     said = capsys.readouterr()
     assert said.out == ""
@@ -168,7 +157,7 @@ def test_what_cannot_be_spoken_is_refused_in_one_sentence(
     assert said.err.count("\n") == 1
 
 
-def test_an_export_whose_ending_several_formats_have_needs_one(capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_export_whose_ending_several_formats_have_needs_one(capsys: Capsys) -> None:
     with pytest.raises(SystemExit) as end:
         main(["speak", "你好", "--silent", "--export", "a.csv"])
     assert end.value.code == 2

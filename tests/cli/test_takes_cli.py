@@ -9,7 +9,7 @@ from phonemeanalyser.cli.main import main
 from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.phonemes import Phoneme
 from tests.sounds import vowel
-from tests.tables import refused
+from tests.tables import Capsys, refused
 
 SOUND = vowel((750, 1250), 0.3)
 
@@ -28,7 +28,7 @@ def sounds_in(folder: Path) -> list[str]:
     return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*.flac"))
 
 
-def test_what_there_is_is_counted_by_phoneme(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_there_is_is_counted_by_phoneme(folder: Path, capsys: Capsys) -> None:
     assert main(["takes", str(folder)]) == 0
     lines = [line.split() for line in capsys.readouterr().out.splitlines()]
     assert lines[:2] == [["a", "1"], ["o", "1"]]
@@ -46,14 +46,14 @@ def test_deleted_takes_go_for_ever_if_the_user_says_yes(folder: Path, answer: st
         assert [take.name for take in project.takes] == ["a-2", "o-3"]
 
 
-def test_nobody_is_asked_where_the_answer_was_given(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_nobody_is_asked_where_the_answer_was_given(folder: Path, capsys: Capsys) -> None:
     assert main(["takes", str(folder), "--empty-deleted", "--yes"]) == 0
     assert sounds_in(folder) == ["takes/Ada/a-2.flac", "takes/Ada/o-3.flac"]
     assert main(["takes", str(folder), "--empty-deleted"]) == 0
     assert "0 deleted" in capsys.readouterr().out.splitlines()[-1]
 
 
-def test_a_folder_without_takes_is_refused_and_left_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_folder_without_takes_is_refused_and_left_alone(tmp_path: Path, capsys: Capsys) -> None:
     assert "no takes.json in it" in refused(capsys, "takes", tmp_path)
     assert "no takes.json in it" in refused(capsys, "takes", tmp_path / "nowhere")
     assert list(tmp_path.iterdir()) == []

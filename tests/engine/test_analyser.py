@@ -71,7 +71,7 @@ many_small = st.lists(st.sampled_from([0, 1, 1, 2, 64, 440, 441, 442, 2048, 20_0
 
 
 @pytest.mark.parametrize("preset", FRONT_ENDS.values(), ids=FRONT_ENDS)
-@settings(max_examples=30)
+@settings(max_examples=12)
 @given(cuts=st.one_of(few_cuts, many_small.map(np.cumsum)))
 def test_frames_do_not_depend_on_how_the_sound_was_cut(preset: Preset, cuts: list[int]):
     blocks = np.split(SPEECH, np.sort(np.minimum(cuts, len(SPEECH))))
@@ -110,7 +110,7 @@ def test_a_sound_of_one_sample_has_one_frame():
     assert analysis.times.tolist() == pytest.approx([0.005])
 
 
-@pytest.mark.parametrize("k", [0, 1, 2, 5, 20, 29])
+@pytest.mark.parametrize("k", [0, 2, 29])
 def test_a_frame_is_centred_on_the_middle_of_its_ten_milliseconds(k: int):
     click = silence(0.3)
     click[441 * k + 220] = 1
@@ -160,7 +160,7 @@ def test_with_all_filters_off_the_raw_spectrum_has_1024_bins():
     np.testing.assert_allclose(spectra, expected, atol=1e-6)
 
 
-@pytest.mark.parametrize("step", [1, 2, 4])
+@pytest.mark.parametrize("step", [1, 4])
 def test_a_tone_reads_its_amplitude_at_its_frequency_in_every_quantisation(step: int):
     preset = Preset(settings=AnalysisSettings(filters=frozenset({Filter.QUANTISE}), quantise=step))
     spectrum = analysed([tone(100 * BIN_WIDTH, 0.3, 0.5)], preset)["spectra"][15]

@@ -98,7 +98,7 @@ def test_what_does_not_fit_is_refused_with_what_came_and_what_to_do(ask, sentenc
         ask(TABLE)
 
 
-@pytest.mark.parametrize("number", ["inf", "nan", "-inf", "1e39", "9" * 400])
+@pytest.mark.parametrize("number", ["nan", "-inf", "1e39", "9" * 400])
 @pytest.mark.parametrize("kind", [int, float])
 def test_a_number_that_is_none_is_refused(number: str, kind: type) -> None:
     table = parse_toml(f'format = "x"\nn = {number}', "it", "x", MouthError)

@@ -58,9 +58,8 @@ def test_all_of_it_is_what_the_file_gives(long: Path, name: str):
     assert tracks.peaks.between(0, tracks.peaks.n_samples, 32).low.argmin() in (15, 16)
 
 
-@pytest.mark.parametrize("name", ["thesis", "learned"])
-def test_what_is_in_view_is_found_first_and_follows_the_eye(long: Path, name: str):
-    preset, tracks, known = load_preset(name), empty(long), []
+def test_what_is_in_view_is_found_first_and_follows_the_eye(long: Path):
+    preset, tracks, known = load_preset("learned"), empty(long), []
     views = iter([FrameRange(1600, 1700), *[FrameRange(2600, 2700)] * 1000])
 
     def watch(share: float) -> bool:
@@ -135,17 +134,17 @@ def test_more_in_view_than_a_minute_is_found_in_its_turn(long: Path):
     assert not known[-1][1300:].any()
 
 
-def test_with_whisper_a_faster_model_comes_first(long: Path, whisper: Path):
-    tracks, shares = empty(long), []
+def test_with_whisper_a_faster_model_comes_first(whisper: Path):
+    tracks, shares = empty(DEMO), []
     preset = replace(load_preset("learned"), encoder_head=encoder_head(), file_model=ModelKind.WHISPER)
     analyse_whole(
-        lambda: SoundReader(long),
+        lambda: SoundReader(DEMO),
         preset,
         tracks,
         progress=lambda share: shares.append((share, tracks.states.all())) or True,
     )
     assert next(share for share, all_seen in shares if all_seen) <= 0.5
-    np.testing.assert_array_equal(tracks.phonemes, whole(long, preset).phonemes)
+    np.testing.assert_array_equal(tracks.phonemes, whole(DEMO, preset).phonemes)
     assert (tracks.states == FrameState.KNOWN).all()
 
 

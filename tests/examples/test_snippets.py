@@ -10,7 +10,8 @@ from tests.conftest import ROOT
 
 IN_FILES = {"adding.md", "ten-lines.md"}
 """Pages whose Python are files of the program; `tests.tools.test_adding` and `test_ten_lines` run them."""
-PAGES = [ROOT / "README.md", *sorted(p for p in (ROOT / "docs").glob("**/*.md") if p.name not in IN_FILES)]
+PAGES = [ROOT / "README.md", *sorted(p for p in (ROOT / "docs").glob("*.md") if p.name not in IN_FILES)]
+"""In English: `tests.tools.test_german_pages` holds the code of the German ones beside theirs."""
 DEMO = Path("phonemeanalyser") / "demo"
 
 

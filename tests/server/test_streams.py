@@ -6,7 +6,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import soundfile
 
 from phonemeanalyser.server import messages
 from phonemeanalyser.server.limits import RefusedError
@@ -22,7 +21,6 @@ from phonemeengine.mouth.morpher import Morpher
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import SAMPLE_RATE
-from tests.conftest import CORPUS
 from tests.server.conftest import FAST, REPERTOIRE
 from tests.server.servers import Told, as_s16, cut, served, streamed
 from tests.sounds import Sound
@@ -50,7 +48,7 @@ def check(told: Told, expected: Analysis) -> None:
         n += len(frames["phonemes"])
 
 
-@pytest.mark.parametrize("sizes", [[882], [1], [1764, 3, 17_777], [1 << 20]], ids=str)
+@pytest.mark.parametrize("sizes", [[1], [1764, 3, 17_777], [1 << 20]], ids=str)
 def test_a_stream_is_told_what_the_engine_finds_in_the_whole_sound(
     server: str, recording: Sound, sizes: Sequence[int]
 ) -> None:
@@ -77,7 +75,7 @@ def test_a_client_that_wants_them_is_told_probabilities_and_the_weights_by_them(
     )
 
 
-@pytest.mark.parametrize("name", ["thesis", "extended", "templates"])
+@pytest.mark.parametrize("name", ["extended", "templates"])
 def test_other_recognisers_are_told_as_they_find(recording: Sound, name: str) -> None:
     with served(ServerSettings([Path(name)], port=0, limits=FAST)) as address:
         told = streamed(address, {"encoding": "f32", "rate": 44_100}, cut(recording.tobytes(), [3000]))
@@ -114,13 +112,6 @@ def test_the_weights_are_those_of_a_mouth_that_hears_the_same(server: str, recor
         morpher.add(k * 0.01, int(found.phonemes[k]), float(found.intensities[k]), phones[k])
         np.testing.assert_allclose(weights, morpher.weights(k * 0.01), atol=2e-3)
     assert np.max(told.column("weights")) > 0.3
-
-
-def test_other_speakers_have_the_same_phonemes_as_offline(server: str) -> None:
-    for path in sorted(CORPUS.rglob("*.flac"))[::25]:
-        samples, rate = soundfile.read(path, dtype="float32")
-        told = streamed(server, {"encoding": "f32", "rate": rate}, cut(samples.tobytes(), [882 * 4]))
-        check(told, heard(samples))
 
 
 def test_a_client_that_asks_is_told_how_the_voice_sounds():

@@ -1,7 +1,6 @@
 """What the benchmark says of a figure on machines of all kinds."""
 
 import subprocess
-import sys
 
 import pytest
 
@@ -49,14 +48,6 @@ def test_how_fast_the_machine_is_stands_before_the_table():
         "scipy.fft.rfft of 512 values takes 18.00 µs here, and 9.00 µs of the processor, instead of 4.5 µs: "
         "limits of times are scaled by 4.00, those of shares of a core by 2.00"
     )
-
-
-def test_what_opens_a_window_once_makes_no_folder_of_a_word_that_is_none():
-    words = [sys.executable, "-m", "tools.bench.first_paint", "-c"]
-    done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=False)
-    assert done.returncode == 1
-    assert "usage: python -m tools.bench.first_paint FOLDER" in done.stderr
-    assert not (ROOT / "-c").exists()
 
 
 def test_no_file_of_the_project_has_a_name_that_programs_take_for_an_option():

@@ -7,22 +7,21 @@ import sys
 import pytest
 
 from tests.conftest import ROOT
-from tools.bundle.icon import SIZE
+from tools.bundle.icon import SIZE, write_icon
 from tools.bundle.making import pack
 
 START = ROOT / "tools" / "bundle" / "start.py"
-DRAW = "from pathlib import Path; from tools.bundle.icon import write_icon; write_icon(Path({!r}))"
 
 
 def run(*words: str) -> str:
     return subprocess.run([sys.executable, str(START), *words], capture_output=True, text=True, check=True).stdout
 
 
+@pytest.mark.usefixtures("qapp")
 def test_the_icon_is_as_large_as_it_says(tmp_path):
     from PySide6.QtGui import QImage
 
-    code = DRAW.format(str(tmp_path / "icon.png"))
-    subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT)  # since an application would outlive the test
+    write_icon(tmp_path / "icon.png")
     picture = QImage(str(tmp_path / "icon.png"))
     assert (picture.width(), picture.height()) == (SIZE, SIZE)
     assert picture.pixelColor(2, 2).alpha() == 0

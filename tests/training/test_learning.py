@@ -238,7 +238,9 @@ def test_an_encoder_learns_from_examples_and_teaches_the_small_network(voices, w
     ]
     store(tmp_path, [(name, [RecordingExample(**vars(e), mels=mels)]) for name, e, mels in recordings])
     examples = Examples(tmp_path, {})
-    config = replace(SHORT, n_layers=1, n_encoder_epochs=1, encoder_batch=2, n_encoder_frames=400, n_frames=100)
+    config = replace(
+        SHORT, n_epochs=1, n_layers=1, n_encoder_epochs=1, encoder_batch=2, n_encoder_frames=400, n_frames=100
+    )
     encoder = train_encoder(examples, config, whisper_weights)
     assert all(np.isfinite(array).all() for array in encoder.finished().values())
     assert train_small(examples, config, encoder).finished() != trained_on(examples, config)
@@ -356,11 +358,10 @@ def test_what_the_teacher_heard_goes_along_with_another_tempo(tmp_path: Path):
         assert changes == pytest.approx([0.6 * len(example)], abs=2)
 
 
-@pytest.mark.parametrize("n_folds", [2, 3, 7])
-def test_every_speaker_is_left_out_once(n_folds):
+def test_every_speaker_is_left_out_once():
     names = [f"corpus/{k}" for k in range(7)]
-    folds = folds_of(names, n_folds)
-    assert sorted(name for fold in folds for name in fold) == names
+    for n_folds in (2, 3, 7):
+        assert sorted(name for fold in folds_of(names, n_folds) for name in fold) == names
 
 
 def test_groups_come_from_a_file_or_are_dealt(tmp_path: Path):

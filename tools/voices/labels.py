@@ -3,7 +3,6 @@
 from typing import NamedTuple
 
 import numpy as np
-from scipy.signal import butter, sosfilt
 
 from tools.voices.classes import AFFRICATE, CORE, SCH, SIL, SZ, Phone, X
 
@@ -106,6 +105,8 @@ def _high_level(sound: np.ndarray, sample_rate: int, start: float, end: float) -
     n_frames = len(part) // size
     if n_frames < 10:
         return np.empty(0), np.empty(0)
+    from scipy.signal import butter, sosfilt  # it takes a second, and all read this file who test the voices
+
     high = sosfilt(butter(4, FRICTION_ABOVE / (sample_rate / 2), "high", output="sos"), part)
     power = (high[: n_frames * size].reshape(n_frames, size) ** 2).mean(axis=1)
     return (first + np.arange(n_frames) * size) / sample_rate, 10 * np.log10(power + 1e-12)

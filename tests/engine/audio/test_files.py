@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from phonemeengine.audio.files import SUFFIXES, SoundReader, mono_of
 from phonemeengine.settings import SAMPLE_RATE, Channel
 
-RATES = [1000, 8000, 11_025, 16_000, 22_050, 32_000, 44_099, 44_100, 48_000, 96_000, 192_000, 767_999, 768_000]
+RATES = [1000, 11_025, 44_099, 44_100, 48_000, 768_000]
 
 
 def tone_at(rate: int, frequency: float = 440.0, seconds: float = 1.0, amplitude: float = 0.5) -> np.ndarray:
@@ -103,17 +103,14 @@ FORMATS: list[tuple[str, dict[str, Any], float]] = [
 
 
 @pytest.mark.parametrize(("name", "options", "error"), FORMATS, ids=[name for name, *_ in FORMATS])
-@pytest.mark.parametrize("n_channels", [1, 2])
-def test_every_format_gives_back_the_sound(
-    name: str, options: dict[str, Any], error: float, n_channels: int, tmp_path: Path
-) -> None:
-    written = np.repeat(tone_at(SAMPLE_RATE)[:, np.newaxis], n_channels, axis=1)
+def test_every_format_gives_back_the_sound(name: str, options: dict[str, Any], error: float, tmp_path: Path) -> None:
+    written = np.repeat(tone_at(SAMPLE_RATE)[:, np.newaxis], 2, axis=1)
     soundfile.write(tmp_path / name, written, SAMPLE_RATE, **options)
     with SoundReader(tmp_path / name) as reader:
         found = reader.read(reader.n_samples)
     assert found.dtype == np.float32
     assert found.flags.c_contiguous
-    assert found.shape[1] == n_channels
+    assert found.shape[1] == 2
     np.testing.assert_allclose(found[2000:40_000], written[2000:40_000], atol=error, rtol=0)
 
 
@@ -132,11 +129,11 @@ def test_the_ending_of_a_name_does_not_decide_what_a_file_is(tmp_path: Path) -> 
 @pytest.mark.parametrize(
     ("channel", "levels"), [(Channel.LEFT, (1, 0)), (Channel.RIGHT, (0, 1)), (Channel.MIX, (1, 1))]
 )
-@pytest.mark.parametrize("rate", [SAMPLE_RATE, 48_000])
 @pytest.mark.parametrize("n_more", [0, 1])
 def test_the_chosen_channel_is_what_is_heard(
-    channel: Channel, levels: tuple[int, int], rate: int, n_more: int, tmp_path: Path
+    channel: Channel, levels: tuple[int, int], n_more: int, tmp_path: Path
 ) -> None:
+    rate = 48_000
     tones = [tone_at(rate, 1000.0), tone_at(rate, 3000.0), *[np.zeros(rate, np.float32)] * n_more]
     soundfile.write(tmp_path / "two.wav", np.stack(tones, axis=1), rate, subtype="FLOAT")
     sound = read_whole(tmp_path / "two.wav", channel)[4410:-4410]
@@ -166,15 +163,11 @@ def writer_of(name: str, rate: int, **options: Any) -> Callable[[Path], Path]:
 
 STREAMS = {
     "wav 44100": writer_of("a.wav", 44_100),
-    "wav 1000": writer_of("b.wav", 1000),
     "wav 11025": writer_of("c.wav", 11_025),
-    "wav 44099": writer_of("d.wav", 44_099),
     "wav 48000": writer_of("e.wav", 48_000),
     "flac 192000": writer_of("f.flac", 192_000),
-    "ogg 44100": writer_of("g.ogg", 44_100),
     "ogg 16000": writer_of("l.ogg", 16_000),
     "opus 48000": writer_of("m.opus", 48_000, format="OGG", subtype="OPUS"),
-    "mp3 44100": writer_of("h.mp3", 44_100),
     "mp3 variable 48000": writer_of("i.mp3", 48_000, bitrate_mode="VARIABLE", compression_level=0.9),
     "mp3 8000": writer_of("j.mp3", 8000),
     "adpcm 16000": writer_of("k.wav", 16_000, subtype="IMA_ADPCM"),

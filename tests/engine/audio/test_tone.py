@@ -167,7 +167,7 @@ CHANGES = {
 
 
 @pytest.mark.parametrize("name", CHANGES)
-@pytest.mark.parametrize("at", [4801, 5000, 5037])
+@pytest.mark.parametrize("at", [4801, 5037])
 def test_a_change_makes_no_click(name: str, at: int):
     before, after = CHANGES[name]
     steps = np.abs(np.diff(changed(before, after, at)))

@@ -6,6 +6,7 @@ import subprocess
 import sys
 from collections import Counter
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -97,12 +98,11 @@ def test_a_record_that_was_cut_off_counts_as_far_as_it_goes(tmp_path: Path) -> N
     assert {*states(run_batch(jobs, CopyWork(), BatchOptions(1, tmp_path / "out"))).values()} == {JobState.SKIPPED}
 
 
-@pytest.mark.parametrize("n_processes", [1, 2])
-def test_a_full_disk_ends_the_batch_and_what_was_finished_stays(n_processes: int, tmp_path: Path) -> None:
+def test_a_full_disk_ends_the_batch_and_what_was_finished_stays(tmp_path: Path) -> None:
     with pytest.raises(
         BatchError, match=r"full\.wav: .*the disk is full, so the batch ends here: free some space, and"
     ):
-        worked(tmp_path, "a", "full", "z", n_processes=n_processes)
+        worked(tmp_path, "a", "full", "z", n_processes=2)
     assert {*made_in(tmp_path / "out")} <= {"a", "z"}
     (tmp_path / "in" / "full.wav").rename(tmp_path / "in" / "b.wav")
     jobs = [Job(tmp_path / "in" / f"{n}.wav", tmp_path / "out" / f"{n}.txt") for n in "abz"]
@@ -138,40 +138,8 @@ def test_a_batch_that_is_cancelled_leaves_whole_files(tmp_path: Path) -> None:
     assert all(s in JobState for s in states(run_batch(rest, CopyWork(), options)).values())
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no process groups that a signal reaches")
-def test_ctrl_c_leaves_whole_files(tmp_path: Path) -> None:
-    jobs_in(tmp_path, "a", "waits")
-    code = (
-        "from pathlib import Path\n"
-        "from phonemeengine.batch.runner import BatchOptions, run_batch\n"
-        "from phonemeengine.batch.work import Job\n"
-        "from tests.fakes.batch_works import CopyWork\n"
-        "if __name__ == '__main__':\n"
-        "    jobs = [Job(Path('in', f'{n}.wav'), Path('out', f'{n}.txt')) for n in ('a', 'waits')]\n"
-        "    run_batch(jobs, CopyWork(), BatchOptions(2, Path('out')))\n"
-    )
-    (tmp_path / "batch.py").write_text(code)
-    environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(ROOT), str(ROOT / "engine")])}
-    batch = subprocess.Popen(
-        [sys.executable, "batch.py"],
-        cwd=tmp_path,
-        env=environment,
-        stderr=subprocess.PIPE,
-        text=True,
-        start_new_session=True,
-    )
-    signs = tmp_path / "in" / "waits.waiting", tmp_path / "out" / "a.txt"
-    wait_for(lambda: batch.poll() is not None or all(sign.exists() for sign in signs))
-    assert batch.poll() is None
-    os.killpg(batch.pid, signal.SIGINT)
-    said = batch.communicate(timeout=60)[1]
-    assert said.splitlines()[-1] == "KeyboardInterrupt"
-    assert "SpawnProcess" not in said
-    assert made_in(tmp_path / "out") == {"a": "copy says a"}
-
-
-def test_processes_end_with_the_program_that_is_killed(tmp_path: Path) -> None:
-    names = ("holds-a", "holds-b")
+def batch_of(tmp_path: Path, *names: str, **options: Any) -> "subprocess.Popen[str]":
+    """Start a program that works through files by two processes."""
     jobs_in(tmp_path, *names)
     code = (
         "from pathlib import Path\n"
@@ -184,9 +152,25 @@ def test_processes_end_with_the_program_that_is_killed(tmp_path: Path) -> None:
     )
     (tmp_path / "batch.py").write_text(code)
     environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(ROOT), str(ROOT / "engine")])}
-    batch = subprocess.Popen(
-        [sys.executable, "batch.py"], cwd=tmp_path, env=environment, stdout=subprocess.PIPE, text=True
-    )
+    return subprocess.Popen([sys.executable, "batch.py"], cwd=tmp_path, env=environment, text=True, **options)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no process groups that a signal reaches")
+def test_ctrl_c_leaves_whole_files(tmp_path: Path) -> None:
+    batch = batch_of(tmp_path, "a", "waits", stderr=subprocess.PIPE, start_new_session=True)
+    signs = tmp_path / "in" / "waits.waiting", tmp_path / "out" / "a.txt"
+    wait_for(lambda: batch.poll() is not None or all(sign.exists() for sign in signs))
+    assert batch.poll() is None
+    os.killpg(batch.pid, signal.SIGINT)
+    said = batch.communicate(timeout=60)[1]
+    assert said.splitlines()[-1] == "KeyboardInterrupt"
+    assert "SpawnProcess" not in said
+    assert made_in(tmp_path / "out") == {"a": "copy says a"}
+
+
+def test_processes_end_with_the_program_that_is_killed(tmp_path: Path) -> None:
+    names = ("holds-a", "holds-b")
+    batch = batch_of(tmp_path, *names, stdout=subprocess.PIPE)
     assert batch.stdout is not None
     assert {batch.stdout.readline().strip() for _ in names} == set(names)
     batch.kill()
@@ -225,10 +209,9 @@ def test_what_a_dead_process_left_is_swept_away(tmp_path: Path) -> None:
     assert sorted(path.name for path in (tmp_path / "out").glob("*.part")) == ["mine.txt.0123abcd.part"]
 
 
-@pytest.mark.parametrize("n_processes", [1, 2])
-def test_work_that_cannot_be_opened_is_refused(n_processes: int, tmp_path: Path) -> None:
+def test_work_that_cannot_be_opened_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ExportError, match="what is needed cannot be opened"):
-        worked(tmp_path, "a", "b", n_processes=n_processes, word="closed")
+        worked(tmp_path, "a", "b", n_processes=2, word="closed")
 
 
 def test_two_files_that_would_be_one_are_told_apart(tmp_path: Path) -> None:

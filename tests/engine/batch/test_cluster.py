@@ -21,7 +21,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::Depr
 
 @pytest.fixture(scope="module")
 def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DaskCluster]:
-    with DaskCluster(tmp_path_factory.mktemp("dask"), 2, **NO_RETRY) as cluster:
+    with DaskCluster(tmp_path_factory.mktemp("dask"), 1, **NO_RETRY) as cluster:
         yield cluster
 
 

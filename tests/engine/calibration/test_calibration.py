@@ -1,10 +1,6 @@
 """Labelled recordings: what they say at a time, how answers are scored, and what was fitted to them."""
 
-import csv
 import itertools
-import json
-import subprocess
-import sys
 from dataclasses import astuple, replace
 from pathlib import Path
 
@@ -24,13 +20,11 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
 from phonemeengine.recognition.smoothing import SUCCESSORS
 from phonemeengine.settings import SAMPLE_RATE, Decimation
-from tests.conftest import ROOT, SCORER
-from tests.labelled import OF_THE_SCORER
+from tests.conftest import ROOT
 from tests.sounds import noise, silence, vowel
 from tools.fit import thesis as fit_thesis
 
 DEMO = ROOT / "phonemeanalyser" / "demo"
-TOLERANCE = 0.00051  # the scorer prints three digits
 LABELS = "start_s,end_s,phone,class,certainty\n"
 
 
@@ -133,33 +127,6 @@ def test_changes_are_not_counted_between_recordings():
     one, other = certain(Phoneme.A, Phoneme.A), certain(Phoneme.E, Phoneme.E)
     scores = scores_of([(one, one.phonemes), (other, other.phonemes)])
     assert scores.changes_per_s == 0
-
-
-def test_figures_are_those_of_the_corpus_scorer(corpus, tmp_path):
-    preset = load_preset(FACTORY / "thesis.toml")
-    pairs = [_recognise(u, preset, corpus, tmp_path) for u in read_corpus(corpus)]
-    found = tmp_path / "found.json"
-    command = [sys.executable, str(SCORER), str(corpus), str(tmp_path), "--json", str(found)]
-    subprocess.run(command, check=True, capture_output=True)
-    expected = json.loads(found.read_text())["groups"]["all"]
-    ours = scores_of(pairs)
-    for theirs, name in OF_THE_SCORER.items():
-        assert getattr(ours, name) == pytest.approx(expected[theirs], abs=TOLERANCE), name
-    for name in ("label_changes_per_s", "minutes"):
-        assert getattr(ours, name) == pytest.approx(expected[name], abs=0.0051), name
-    assert ours.changes_per_s == pytest.approx(expected["changes_per_s"], abs=0.0051)
-
-
-def _recognise(utterance, preset, corpus, folder):
-    sound, _ = soundfile.read(utterance.path, dtype="float32")
-    found = np.concatenate([a.phonemes for a in analyse_blocks([sound], preset)])
-    path = (folder / utterance.path.relative_to(corpus)).with_suffix(".csv")
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("w", newline="") as file:
-        writer = csv.writer(file)
-        writer.writerow(("start_s", "end_s", "phoneme"))
-        writer.writerows((k / 100, (k + 1) / 100, Phoneme(code).label) for k, code in enumerate(found))
-    return frame_labels_of(utterance.labels), found
 
 
 def test_a_fit_to_a_small_corpus_recognises_it_and_writes_presets(tmp_path, capsys):

@@ -172,8 +172,10 @@ class Death(BaseException):
     """The process ends here."""
 
 
-@pytest.mark.parametrize("change", ["trim", "relabel", "delete"])
-@pytest.mark.parametrize("error", [OSError(28, "No space left on device"), Death()], ids=["full", "dead"])
+@pytest.mark.parametrize(
+    ("change", "error"),
+    [("trim", OSError(28, "No space left on device")), ("delete", OSError(28, "full")), ("relabel", Death())],
+)
 def test_wherever_a_change_breaks_no_copy_says_anything_else_than_its_take(tmp_path, change, error):
     for n in range(1, 60):
         folder = tmp_path / str(n)

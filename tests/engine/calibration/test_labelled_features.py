@@ -41,7 +41,7 @@ OWN = replace(
         Rule(U, (Condition("low", ">", limit=6.0),)),
     ),
 )
-QUICK = settings(max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])
+QUICK = settings(max_examples=15, suppress_health_check=[HealthCheck.function_scoped_fixture])
 
 
 @pytest.fixture(scope="module")

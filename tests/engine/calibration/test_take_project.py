@@ -1,8 +1,6 @@
 """A project of takes: what is kept, what other programs read, and that every change can be undone."""
 
 import json
-import subprocess
-import sys
 from datetime import datetime
 
 import numpy as np
@@ -10,15 +8,12 @@ import pytest
 import soundfile
 
 from phonemeengine.calibration.scores.corpus import frame_labels_of, read_corpus
-from phonemeengine.calibration.scores.scoring import scores_of
 from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.calibration.takes.quality import check_take
 from phonemeengine.calibration.takes.take import Take, folder_for
 from phonemeengine.errors import CorpusError, RecordingError, TakeError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
-from tests.conftest import SCORER
-from tests.labelled import OF_THE_SCORER
 from tests.sounds import noise, silence, vowel
 
 SOUND = vowel((750, 1250), 0.5)
@@ -311,27 +306,6 @@ def test_an_empty_project_is_a_folder_without_a_corpus(project):
     assert (project.takes, project.deleted, project.missing, project.notes) == ((), (), (), ())
     with pytest.raises(CorpusError, match=r"manifest\.csv"):
         read_corpus(project.folder)
-
-
-def test_the_scorer_of_the_corpus_scores_takes_as_we_do(project, tmp_path):
-    report = check_take(np.concatenate([silence(0.4), SOUND, silence(0.4)]), 0, Phoneme.A)
-    for phoneme in (Phoneme.A, Phoneme.M, Phoneme.SILENCE):
-        project.add(np.concatenate([silence(0.4), SOUND, silence(0.4)]), "Ada", phoneme, report=report)
-    generator, pairs = np.random.default_rng(1), []
-    for utterance in read_corpus(project.folder):
-        labels = frame_labels_of(utterance.labels)
-        guess = np.repeat(generator.choice([0, 1, 4, 7], len(labels.phonemes) // 10 + 1), 10)[: len(labels.phonemes)]
-        rows = [f"{k / 100},{(k + 1) / 100},{Phoneme(code).label}\n" for k, code in enumerate(guess)]
-        path = (tmp_path / "found" / utterance.path.relative_to(project.folder)).with_suffix(".csv")
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text("start_s,end_s,phoneme\n" + "".join(rows))
-        pairs.append((labels, guess.astype(np.uint8)))
-    found = tmp_path / "found.json"
-    command = [sys.executable, str(SCORER), str(project.folder), str(tmp_path / "found"), "--json", str(found)]
-    subprocess.run(command, check=True, capture_output=True)
-    expected, ours = json.loads(found.read_text())["groups"]["all"], scores_of(pairs)
-    for theirs, name in OF_THE_SCORER.items():
-        assert getattr(ours, name) == pytest.approx(expected[theirs], abs=0.00051), name
 
 
 def test_the_list_is_plain_json(project):

@@ -12,7 +12,7 @@ from phonemeengine.dsp.pitch import fundamental_of
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, WINDOW
 from tests.sounds import Sound, noise, silence, tone, vowel
 
-FREQUENCIES = (70, 75, 80, 97.3, 120, 150, 180, 220, 261.6, 300, 350, 400, 440, 480)
+FREQUENCIES = (70, 97.3, 150, 261.6, 480)
 VOWELS = {"a": (700.0, 1200.0, 2500.0), "i": (280.0, 2250.0, 2900.0), "u": (310.0, 800.0, 2300.0)}
 
 
@@ -75,9 +75,8 @@ def test_a_constant_offset_does_not_change_the_frequency():
     np.testing.assert_allclose(found, 200, rtol=0.005)
 
 
-@pytest.mark.parametrize("seed", range(3))
-def test_noise_has_no_fundamental(seed: int):
-    assert np.mean(fundamental_in(noise(2, 0.1, seed)) > 0) < 0.02
+def test_noise_has_no_fundamental():
+    assert np.mean(fundamental_in(noise(2, 0.1)) > 0) < 0.02
 
 
 def test_silence_has_no_fundamental():
@@ -105,12 +104,12 @@ def test_a_tone_beyond_the_range_of_voices_is_no_voice_at_any_phase(loudness: fl
     assert voiced == []
 
 
-@pytest.mark.parametrize("frequency", [60, 61, 65, 490, 495, 499, 500])
+@pytest.mark.parametrize("frequency", [60, 495, 500])
 def test_a_tone_at_the_ends_of_the_range_has_its_own_frequency_at_any_phase(frequency: float):
     np.testing.assert_allclose(each_alone(sine_windows(frequency, 0.5)), frequency, rtol=0.005)
 
 
-@pytest.mark.parametrize("frequency", [20, 30, 40, 50, 57])
+@pytest.mark.parametrize("frequency", [20, 57])
 def test_a_hum_below_the_range_of_voices_is_no_voice(frequency: float):
     assert not each_alone(sine_windows(frequency, 0.5)).any()
 

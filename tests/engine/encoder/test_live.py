@@ -54,7 +54,7 @@ def test_a_model_that_is_saved_is_the_same_when_it_is_read(tmp_path):
 
 
 @pytest.mark.parametrize("ahead", [0, 1])
-@pytest.mark.parametrize("step", [1, 3, 150, *(pytest.param(step, marks=pytest.mark.long) for step in (2, 14))])
+@pytest.mark.parametrize("step", [3, 150, *(pytest.param(step, marks=pytest.mark.long) for step in (1, 2, 14))])
 def test_the_shipped_one_finds_the_same_however_the_sound_is_cut(ahead, step):
     # With 8 bits, last digits turn roundings; what is rounded must be so fine that they do not matter.
     model = open_live_encoder(load_preset(DEFAULT_PRESET).live_encoder)

@@ -96,9 +96,9 @@ def test_programs_that_cut_it_at_once_all_have_it(packages, data):
     program = "from phonemeengine import find_whisper; from phonemeengine.encoder.model_folder import open_whisper; "
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(packages), *sys.path])}
     words = [sys.executable, "-c", program + "open_whisper(); print(find_whisper().path)"]
-    started = [subprocess.Popen(words, env=environment, stdout=subprocess.PIPE, text=True) for _ in range(3)]
+    started = [subprocess.Popen(words, env=environment, stdout=subprocess.PIPE, text=True) for _ in range(2)]
     found = [program.communicate()[0].strip() for program in started]
-    assert found == [str(packages / PACKAGES[0] / "data")] * 3
+    assert found == [str(packages / PACKAGES[0] / "data")] * 2
     assert [path.name for path in data.iterdir()] == ["whisper-base-layer-4.onnx"]
 
 

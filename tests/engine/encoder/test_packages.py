@@ -51,7 +51,7 @@ def test_digital_silence_and_music_are_silence(model):
 
 
 def test_a_preset_is_right_more_often_with_it_than_live(model):
-    preset, corpus = load_preset("learned"), read_corpus(CORPUS)[::8]
+    preset, corpus = load_preset("learned"), read_corpus(CORPUS)[::16]
     heard = for_files(preset)
     assert (heard.model_kind, heard.warnings) == (ModelKind.WHISPER, ())
     assert score(heard, corpus).overall.scores.macro_f1 > score(preset, corpus).overall.scores.macro_f1 + 0.02

@@ -86,7 +86,7 @@ def test_a_set_brings_its_own_filters() -> None:
     assert (found.spectra[100] != alone.spectra[100]).any()
 
 
-@pytest.mark.parametrize("size", [100, 441, 30_000])
+@pytest.mark.parametrize("size", [700, 30_000])
 def test_it_does_not_matter_how_the_sound_is_cut(size: int) -> None:
     sound = man_then_woman()
     whole = Analyser(PRESET, live=True).push(sound)

@@ -27,9 +27,15 @@ def test_playing_hands_out_every_frame_once_and_in_order_as_the_whole_file_gives
     assert frames_of(taken) == list(range(N_FRAMES))
     agree(taken, offline(path))
     assert rig.player.n_dropped == 0
+    np.testing.assert_array_equal(np.concatenate(rig.output.played)[:, 0], SPEECH)
 
 
 def test_no_frame_comes_before_its_middle_is_heard_nor_two_steps_late(rig: Rig) -> None:
+    check_times(rig)
+
+
+def check_times(rig: Rig) -> None:
+    """Play it to its end, and see when each frame comes."""
     rig.player.play()
     end = False
     while not end:
@@ -40,12 +46,6 @@ def test_no_frame_comes_before_its_middle_is_heard_nor_two_steps_late(rig: Rig) 
             middles = (np.array(frames_of([heard])) + 0.5) * HOP
             assert middles[-1] - 1 <= rig.output.heard or end
             assert rig.output.heard - middles[0] <= live.PART * HOP + 100
-
-
-def test_what_is_heard_is_the_file(rig: Rig) -> None:
-    rig.player.play()
-    rig.hear_all()
-    np.testing.assert_array_equal(np.concatenate(rig.output.played)[:, 0], SPEECH)
 
 
 def test_a_player_on_the_clock_gives_every_frame_too(path: Path) -> None:
@@ -79,7 +79,7 @@ def test_one_channel_is_analysed_and_both_are_heard(channel: Channel, tmp_path: 
     agree(taken, offline(path, channel=channel))
 
 
-@pytest.mark.parametrize("name", ODD_FILES)
+@pytest.mark.parametrize("name", ["one_sample", "two_hundred_channels", "fast"])
 def test_an_unusual_file_is_played_to_its_end(name: str, tmp_path: Path) -> None:
     path = ODD_FILES[name](tmp_path)
     rig = Rig(path)

@@ -11,7 +11,7 @@ from tests.fakes.players import N_FRAMES, Rig, agree, frames_of, offline
 from tests.waiting import PATIENCE
 
 
-@pytest.mark.parametrize("frame", [1, 3, 39, 40, 41, 70, 101, N_FRAMES - 1])
+@pytest.mark.parametrize("frame", [1, 40, 41, N_FRAMES - 1])
 @pytest.mark.parametrize("playing", [True, False])
 def test_frames_after_a_seek_are_those_of_the_whole_file(frame: int, playing: bool, rig: Rig, path: Path) -> None:
     if playing:
@@ -27,22 +27,11 @@ def test_frames_after_a_seek_are_those_of_the_whole_file(frame: int, playing: bo
     agree(taken, offline(path), frame)
 
 
-@pytest.mark.parametrize("frame", range(0, N_FRAMES, 7))
-def test_a_seek_to_the_beginning_of_a_frame_goes_to_that_frame(frame: int, rig: Rig) -> None:
-    rig.player.seek(frame * FRAME_PERIOD)
-    rig.settle()
-    assert round(rig.player.position / FRAME_PERIOD, 6) == frame
-
-
-def test_a_seek_back_plays_the_same_again(rig: Rig, path: Path) -> None:
-    rig.player.play()
-    first = rig.hear(60)
-    rig.player.seek(0)
-    rig.settle()
-    again = rig.hear_all()
-    assert frames_of(first) == list(range(len(frames_of(first))))
-    assert frames_of(again) == list(range(N_FRAMES))
-    agree(again, offline(path))
+def test_a_seek_to_the_beginning_of_a_frame_goes_to_that_frame(rig: Rig) -> None:
+    for frame in range(0, N_FRAMES, 7):
+        rig.player.seek(frame * FRAME_PERIOD)
+        rig.settle()
+        assert round(rig.player.position / FRAME_PERIOD, 6) == frame
 
 
 def test_many_seeks_in_a_row_end_at_the_last_one(rig: Rig, path: Path) -> None:

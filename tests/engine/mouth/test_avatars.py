@@ -1,6 +1,7 @@
 """Avatars: VRM 0 and 1, their bones, expressions and textures."""
 
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,11 @@ VERSIONS = pytest.mark.parametrize("version", [0, 1])
 MOUTH = ("jawOpen", "mouthSmileLeft", "eyeBlinkLeft")
 
 
+@cache
+def face_of(version: int, only: tuple[str, ...] | None = None) -> MorphMesh:
+    return parse_vrm(avatar(version) if only is None else avatar(version, only=only))
+
+
 def offsets_of(face: MorphMesh, name: str) -> Any:
     state = next(state for state in face.states if state.name == name)
     dense = np.zeros((len(face.mesh), 3))
@@ -31,7 +37,7 @@ def offsets_of(face: MorphMesh, name: str) -> Any:
 
 @VERSIONS
 def test_an_avatar_is_where_its_bones_put_it_and_faces_the_viewer(version: int) -> None:
-    face, head = parse_vrm(avatar(version)), load_head()
+    face, head = face_of(version), load_head()
     np.testing.assert_allclose(face.mesh.positions, head.mesh.positions + np.array([0, HEIGHT, 0]), atol=1e-5)
     assert float(np.mean(np.sum(face.mesh.normals * head.mesh.normals, axis=1))) > 0.999
     assert face.neck == pytest.approx((0, HEIGHT, 0))
@@ -40,7 +46,7 @@ def test_an_avatar_is_where_its_bones_put_it_and_faces_the_viewer(version: int) 
 
 @VERSIONS
 def test_the_expressions_of_an_avatar_are_movestates(version: int) -> None:
-    face = parse_vrm(avatar(version))
+    face = face_of(version)
     names = ("aa", "ih", "blinkLeft") if version else ("A", "I", "Blink_L")
     first, second, _ = (state.name for state in face.states[:3])
     np.testing.assert_allclose(offsets_of(face, names[0]), offsets_of(face, first), atol=1e-6)
@@ -49,7 +55,7 @@ def test_the_expressions_of_an_avatar_are_movestates(version: int) -> None:
 
 @VERSIONS
 def test_a_jaw_that_is_a_bone_opens_by_its_rotation(version: int) -> None:
-    face = parse_vrm(avatar(version, only=MOUTH))
+    face = face_of(version, MOUTH)
     moved = offsets_of(face, "bone jawOpen")
     chin = int(np.argmin(offsets_of(face, "jawOpen")[:, 1]))
     joint = np.array([0, HEIGHT - 0.1, 0.1])
@@ -61,7 +67,7 @@ def test_a_jaw_that_is_a_bone_opens_by_its_rotation(version: int) -> None:
 
 @VERSIONS
 def test_eyes_that_are_bones_look_to_all_sides(version: int) -> None:
-    face = parse_vrm(avatar(version, only=MOUTH))
+    face = face_of(version, MOUTH)
     pupil = int(np.argmin(np.linalg.norm(face.mesh.positions - np.add(eye_at(1), [0, HEIGHT, 0.15]), axis=1)))
     assert offsets_of(face, "bone eyeLookOutLeft")[pupil, 0] > 0.01
     assert offsets_of(face, "bone eyeLookInLeft")[pupil, 0] < -0.01
@@ -158,7 +164,7 @@ def test_the_size_of_a_jpeg_is_known_by_its_header() -> None:
 
 
 def test_head_and_shoulders_are_cut_from_a_whole_body() -> None:
-    body = parse_vrm(avatar(1))
+    body = face_of(1)
     centred = bust_of(body)  # it is a head with shoulders, of which nothing is cut
     np.testing.assert_allclose(centred.mesh.positions, body.mesh.positions - np.array([0, HEIGHT, 0]), atol=1e-5)
     low = body.mesh.positions[:, 1].min()

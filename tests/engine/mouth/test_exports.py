@@ -115,7 +115,7 @@ def test_letters_are_those_of_rhubarbs_manual() -> None:
 # -- frames of a film -----------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("rate", [12, 24, 25, 30, 60])
+@pytest.mark.parametrize("rate", [12, 25, 60])
 def test_moho_has_each_drawing_on_a_frame_of_its_own(rate: float) -> None:
     first, *lines = written("moho-dat", rate=rate).splitlines()
     assert first == "MohoSwitch1"
@@ -186,7 +186,7 @@ def test_annosoft_reads_milliseconds_without_gaps() -> None:
     assert [row[4] for row in rows[:4]] == ["x", "m", "AA", "p"]
 
 
-@pytest.mark.parametrize("minimum", [0.06, 0.055, 0.1, 0.0605])
+@pytest.mark.parametrize("minimum", [0.055, 0.0605])
 @pytest.mark.parametrize("name", ["rhubarb-tsv", "rhubarb-xml", "rhubarb-json", "anno"])
 def test_rounded_times_keep_the_shortest_cue(name: str, minimum: float) -> None:
     """Sounds of 5 ms steps, whose borders lie between two hundredths."""

@@ -64,12 +64,6 @@ def test_a_refusal_leaves_the_old_file(sound: Path, tmp_path: Path) -> None:
     assert target.read_text() == "old"
 
 
-def test_a_folder_that_cannot_be_made_is_named_in_one_sentence(sound: Path, tmp_path: Path) -> None:
-    (tmp_path / "file").touch()
-    with pytest.raises(ExportError, match=r"out\.json: cannot be written \(.*\); choose another place$"):
-        export(sound, tmp_path / "file" / "out.json", "curves-json", PRESET)
-
-
 def test_an_export_with_other_options_leaves_the_file_alone_unless_told(sound: Path, tmp_path: Path) -> None:
     target = tmp_path / "new" / "speech.csv"
     for _ in range(2):

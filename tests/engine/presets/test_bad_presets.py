@@ -27,75 +27,39 @@ CHANGES = {
         "author = 'me'\nnotes = ",
         "a preset cannot have an entry 'author'; remove it",
     ),
-    "unknown threshold": ("sz_s1 =", "sz_s2 = 1\nsz_s1 =", r"\[phoneme_data\] cannot have an entry 'sz_s2'"),
     "missing key": ("quantise = 4", "", r"\[front_end\] lacks quantise; add it"),
-    "missing threshold": ("sz_s1 =", "# sz_s1 =", r"\[phoneme_data\] lacks sz_s1"),
     "missing table": ("[intensity]", "[intensities]", "intensit"),
-    "table that is a number": ("[intensity]", "", "intensity"),
     "number as text": ("sz_s1 = 15.0", "sz_s1 = '15'", "sz_s1 must be a number within ±3.4e38, found '15'"),
-    "number as switch": ("sz_s1 = 15.0", "sz_s1 = true", "sz_s1 must be a number within ±3.4e38, found True"),
-    "number as list": ("sz_s1 = 15.0", "sz_s1 = [15]", r"sz_s1 must be a number within ±3.4e38, found \[15\]"),
-    "number as date": ("sz_s1 = 15.0", "sz_s1 = 2005-01-01", "sz_s1 must be a number within ±3.4e38, found datetime"),
     "switch as text": ("statistics = true", "statistics = 'yes'", "statistics must be true or false, found 'yes'"),
-    "switch as number": ("statistics = true", "statistics = 1", "statistics must be true or false, found 1"),
     "broken quantisation": (
         "quantise = 4",
         "quantise = 4.0",
         "quantise must be a whole .* found 4.0; correct it",
     ),
     "impossible quantisation": ("quantise = 4", "quantise = 3", "quantise must be one of 1, 2, 4, got 3"),
-    "broken number of bands": (
-        "mel_bands = 40",
-        "mel_bands = 40.5",
-        "mel_bands must be a whole .* found 40.5",
-    ),
     "too many bands": ("mel_bands = 40", "mel_bands = 400", r"mel_bands must lie in 4\.\.80 bands, got 400"),
-    "text as number": (
-        'decimation = "plain"',
-        "decimation = 4",
-        "decimation must be one of plain, .*, found 4",
-    ),
     "bad choice": ('"plain"', '"folded"', "decimation must be one of plain, anti_aliased, found 'folded'"),
     "bad window": ('"hamming"', '"hammock"', "window_function must be one of rectangle, .*, found 'hammock'"),
     "bad filter": ('"high_pass"', '"de-noise"', "filters must be one of quantise, .*, found 'de-noise'"),
-    "filter as number": ('"high_pass"', "7", "filters must be one of quantise, .*, found 7"),
     "out of range": ("minimum_hold = 0.02", "minimum_hold = 3", r"minimum_hold must lie in 0\.\.1 s, got 3"),
-    "smoothing out of range": ("time_smooth = 0.0", "time_smooth = 1.5", r"time_smooth must lie in 0\.\.1, got 1\.5"),
     "not a number": (
         "minimum_hold = 0.02",
         "minimum_hold = nan",
         "minimum_hold must be a number .* found nan",
     ),
-    "infinite threshold": ("sz_s1 = 15.0", "sz_s1 = inf", "sz_s1 must be a number within .*, found inf"),
     "too large": ("sz_s1 = 15.0", "sz_s1 = 1e39", r"sz_s1 must be a number within .*, found 1e\+39"),
-    "huge": ("sz_s1 = 15.0", "sz_s1 = " + "9" * 400, "sz_s1 must be a number within .*, found an endless number"),
-    "endless": ("sz_s1 = 15.0", "sz_s1 = " + "9" * 5000, "this is no TOML file"),
-    "endless in hexadecimal": ("notes = ", "notes = 0x" + "f" * 9000 + "\n#", "notes must be text, found an endless"),
     "deep": ("notes = ", "deep = " + "[" * 100_000 + "\n#", "this is no TOML file"),
     "wrong order": ("intensity_low = -45.0", "intensity_low = -1", "intensity_low must not exceed intensity_high"),
     "name as number": ("name = ", "name = 7\n# ", "name must be text, found 7"),
-    "notes as list": ("notes = ", "notes = []\n# ", r"notes must be text, found \[\]"),
     "unknown recogniser": ('recogniser = "thesis"', 'recogniser = "magic"', "no recogniser named 'magic'"),
     "unknown successor": (
         '[successors]\nsilence = "',
         '[successors]\nsilence = "x',
         r"\[successors\] silence must be one of silence, .*, found 'x",
     ),
-    "successor as number": (
-        "[successors]\nsilence = ",
-        "[successors]\nsilence = 3 #",
-        r"\[successors\] silence must be one of .* found 3;",
-    ),
     "variable of a built-in name": ('name = "mine"', 'name = "energy"', "energy exists already"),
     "variable with a bad name": ('name = "mine"', 'name = "Mine!"', "name must be lower-case .*, got 'Mine!'"),
-    "variable with a number as name": ('name = "mine"', "name = 3", "name must be text, found 3"),
     "variable without a range": ("low = 100.0,", "", r"\[variables\] lacks low"),
-    "variable with an unknown key": (
-        "low = 100.0",
-        "colour = 'red', low = 100.0",
-        r"\[variables\] cannot have an entry 'colour'",
-    ),
-    "variable with a text as range": ("low = 100.0", "low = '100'", "low must be a number .* found '100'"),
     "variable with an upside-down range": ("low = 100.0", "low = 300", r"mine must range .* got 300\.\.200 Hz"),
     "variable of a bad kind": (
         'kind = "sum"',
@@ -103,7 +67,6 @@ CHANGES = {
         "kind must be one of sum, max, mean, found 'median'",
     ),
     "variable of a bad source": ('source = "normalised"', 'source = "x"', "source must be one of raw, .*, found 'x'"),
-    "twice the same name": ("notes = ", "name = 'again'\nnotes = ", "this is no TOML file"),
     "wrong format": ("preset 2", "preset 99", "begins with format = 'phonemeanalyser preset 2', found .* 99"),
     "no format": ("format = ", "# format = ", "begins with format = 'phonemeanalyser preset 2', found none"),
 }
@@ -127,12 +90,6 @@ def test_two_variables_of_one_name_are_refused():
         preset_from_toml(twins + preset_to_toml(Preset()).replace("variables = []", ""), Path())
 
 
-@pytest.mark.parametrize("text", ["", "hello", "[", "format = ", "a = 1\x00", "1,2,3"])
-def test_what_is_no_preset_is_refused(text: str):
-    with pytest.raises(PresetError):
-        preset_from_toml(text, Path())
-
-
 @given(text=st.text(max_size=100))
 def test_any_text_is_refused_as_a_preset_and_never_crashes(text: str):
     with pytest.raises(PresetError):
@@ -146,7 +103,7 @@ def test_a_damaged_preset_is_read_or_refused(where: int, length: int, new: str):
         assert preset_from_toml(preset_to_toml(read), Path()) == read
 
 
-@pytest.mark.parametrize("suffix", [".toml", ".phonemedata", ".txt", ""])
+@pytest.mark.parametrize("suffix", [".toml", ""])
 class TestFilesThatAreNone:
     def refusal(self, path: Path) -> str:
         with pytest.raises(PresetError) as refusal:

@@ -129,7 +129,7 @@ def test_what_is_heard_with_is_told_in_words():
 # -- a part of a file --------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("first", "last"), [(0, 60), (100, 101), (150, 320), (300, 450), (440, 10_000)])
+@pytest.mark.parametrize(("first", "last"), [(0, 60), (100, 101), (440, 10_000)])
 def test_a_part_of_a_file_is_heard_as_in_the_whole(wav, first, last):
     whole = in_file(wav, PRESET)
     with SoundReader(wav) as reader:
@@ -145,9 +145,8 @@ BOTH = replace(PRESET, encoder_head=encoder_head())
 
 
 @pytest.mark.usefixtures("whisper")
-@pytest.mark.parametrize("n", [HOP, 1000, 20_000, len(SOUND)])
-def test_an_encoder_gives_each_frame_its_answer_however_the_sound_was_cut(n):
-    hears = for_files(BOTH)
+def test_an_encoder_gives_each_frame_its_answer_however_the_sound_was_cut():
+    hears, n = for_files(BOTH), 5000
     assert (hears.model_kind, model_in_words(hears)) == (ModelKind.WHISPER, "Whisper")
     found = concatenate_analyses(list(analyse_blocks(np.split(SOUND, range(n, len(SOUND), n)), hears)))
     assert len(found) == -(-len(SOUND) // HOP)
@@ -263,7 +262,7 @@ def test_a_model_for_files_lies_beside_its_preset_too(tmp_path):
         load_preset(tmp_path / "p.toml")
 
 
-@pytest.mark.parametrize("kind", ["models", "LIVE", 3])
+@pytest.mark.parametrize("kind", ["LIVE", 3])
 def test_a_model_that_does_not_exist_is_refused(tmp_path, kind):
     save_preset(replace(PRESET, file_model=ModelKind.OFFLINE), tmp_path / "p.toml")
     text = (tmp_path / "p.toml").read_text()

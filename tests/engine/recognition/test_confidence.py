@@ -64,11 +64,9 @@ def test_one_share_holds_for_every_score():
     ("scores", "shares"),
     [
         ((), ()),
-        ((0.5,), (0.5, 0.6)),
         ((0.6, 0.5), (0, 1)),
         ((0, 1), (0.8, 0.2)),
         ((0, 2), (0, 1)),
-        ((0, 1), (-1, 1)),
         ((0, float("nan")), (0, 1)),
         (tuple(k / 20 for k in range(17)), tuple(k / 20 for k in range(17))),
     ],
@@ -132,10 +130,10 @@ def test_a_curve_of_rules_holds_for_speakers_whom_it_was_not_fitted_to_and_tells
 @pytest.mark.parametrize(
     ("name", "least", "changes"),
     [
-        ("thesis", 0.355, np.inf),
-        *(pytest.param(f"thesis-{k}", 0.3, np.inf, marks=pytest.mark.long) for k in ("calm", "anti-aliased")),
         ("extended", 0.61, 1.51),
-        ("templates", 0.59, 1.51),
+        pytest.param("thesis", 0.355, np.inf, marks=pytest.mark.long),
+        *(pytest.param(f"thesis-{k}", 0.3, np.inf, marks=pytest.mark.long) for k in ("calm", "anti-aliased")),
+        pytest.param("templates", 0.59, 1.51, marks=pytest.mark.long),
     ],
 )
 def test_presets_reach_their_figures_and_their_confidence_holds_on_speech_that_they_were_not_measured_on(

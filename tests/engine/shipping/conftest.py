@@ -1,8 +1,11 @@
 """The compiled ear."""
 
+from pathlib import Path
+
 import pytest
 
-from tests.compiled_ears import COMPILERS, EarLibrary, compiler, ear_library
+from phonemeengine import load_preset, ship
+from tests.compiled_ears import EarLibrary, ear_library
 
 
 @pytest.fixture(scope="session")
@@ -11,7 +14,9 @@ def library() -> EarLibrary:
     return ear_library()
 
 
-@pytest.fixture(scope="session", params=COMPILERS)
-def each_compiler(request: pytest.FixtureRequest) -> str:
-    """Each of the C compilers with which the ear is tried."""
-    return compiler(request.param)
+@pytest.fixture(scope="session")
+def web_module(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The preset Learned, shipped as a module."""
+    place = tmp_path_factory.mktemp("module")
+    ship(load_preset("learned"), place, "web-module")
+    return place

@@ -13,15 +13,21 @@ from typing import Any
 
 import pytest
 
-from phonemeengine import Preset, load_preset, ship
+from phonemeengine import Preset, load_preset
 from tests.bundlers import APP, ESBUILD, MORE_PACKAGES, PACKAGES, WORDS, bundled, project, tool
 from tests.engine.shipping.test_demo_page import Quiet, chromium, microphone
 from tests.engine.shipping.test_same_results import recognised_by_engine, speech
 from tests.firefox import in_firefox
+from tests.sounds import Sound
 from tests.web_ears import node
 
-RATE, SOUND = 44_100, speech()[: 2 * 44_100]
+RATE = 44_100
 SAME = 0.99
+
+
+def said() -> Sound:
+    """Give two seconds of speech."""
+    return speech()[: 2 * RATE]
 
 
 @pytest.fixture(scope="module")
@@ -29,17 +35,9 @@ def preset() -> Preset:
     return load_preset("learned")
 
 
-@pytest.fixture(scope="module")
-def package(preset: Preset, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The preset Learned, shipped as a module."""
-    place = tmp_path_factory.mktemp("package")
-    ship(preset, place, "web-module")
-    return place
-
-
 def check_heard(told: dict[str, Any], preset: Preset) -> None:
     found = told["phonemes"]
-    expected = recognised_by_engine(preset, SOUND).phonemes[: len(found)]
+    expected = recognised_by_engine(preset, said()).phonemes[: len(found)]
     assert len(found) >= 188
     assert (expected == found).mean() >= SAME
     assert told["widest"] > 0.1
@@ -48,15 +46,17 @@ def check_heard(told: dict[str, Any], preset: Preset) -> None:
 
 @pytest.mark.browser
 @pytest.mark.parametrize("by", ["vite", "esbuild"])
-def test_a_bundled_page_listens_in_the_audio_thread(by: str, package: Path, preset: Preset, tmp_path: Path) -> None:
-    folder, script = bundled(by, project(tmp_path / "page", package))
+def test_a_bundled_page_listens_in_the_audio_thread(
+    by: str, web_module: Path, preset: Preset, tmp_path: Path
+) -> None:
+    folder, script = bundled(by, project(tmp_path / "page", web_module))
     check_heard(in_node(folder, script), preset)
 
 
 def in_node(folder: Path, script: str) -> dict[str, Any]:
     """Give what a page tells that runs in Node."""
     words = [node(), str(APP / "run.mjs"), str(folder), script, str(RATE)]
-    done = subprocess.run(words, input=SOUND.tobytes(), capture_output=True, check=False)
+    done = subprocess.run(words, input=said().tobytes(), capture_output=True, check=False)
     assert done.returncode == 0, done.stderr.decode()
     told: dict[str, Any] = json.loads(done.stdout)
     return told
@@ -72,10 +72,10 @@ HEAR = """(async () => {
 @pytest.mark.browser
 @pytest.mark.parametrize("browser", ["chromium", "firefox"])
 @pytest.mark.parametrize("by", [*WORDS, "plain"])
-def test_a_page_listens_in_a_browser(by: str, browser: str, package: Path, preset: Preset, tmp_path: Path) -> None:
-    place = project(tmp_path / "page", package, PACKAGES if by in ("vite", "plain") else MORE_PACKAGES)
+def test_a_page_listens_in_a_browser(by: str, browser: str, web_module: Path, preset: Preset, tmp_path: Path) -> None:
+    place = project(tmp_path / "page", web_module, PACKAGES if by in ("vite", "plain") else MORE_PACKAGES)
     made = served_as_it_is(place) if by == "plain" else bundled(by, place)[0]
-    (made / "samples.f32").write_bytes(SOUND.tobytes())
+    (made / "samples.f32").write_bytes(said().tobytes())
     with served(made) as address:
         if browser == "firefox":
             told = in_firefox(address, HEAR, tmp_path / "profile")
@@ -105,14 +105,14 @@ def served(folder: Path) -> Iterator[str]:
 
 
 @pytest.mark.browser
-def test_the_examples_move_what_they_show_by_a_microphone(package: Path, tmp_path: Path) -> None:
-    place = project(tmp_path / "page", package, MORE_PACKAGES)
-    shutil.copytree(package / "examples", place / "examples")
+def test_the_examples_move_what_they_show_by_a_microphone(web_module: Path, tmp_path: Path) -> None:
+    place = project(tmp_path / "page", web_module, MORE_PACKAGES)
+    shutil.copytree(web_module / "examples", place / "examples")
     tool(place, "esbuild", "examples.js", *ESBUILD[1:], "--jsx=automatic")
     (place / "dist" / "index.html").write_text(
         '<canvas></canvas><div id="root"></div><script type="module" src="/assets/examples.js"></script>', "utf-8"
     )
-    with served(place / "dist") as address, chromium(*microphone(tmp_path, SOUND)) as page:
+    with served(place / "dist") as address, chromium(*microphone(tmp_path, said())) as page:
         page.goto(address)
         page.wait_for_function("() => globalThis.tryExamples")
         told = page.evaluate("() => tryExamples()")
@@ -122,20 +122,20 @@ def test_the_examples_move_what_they_show_by_a_microphone(package: Path, tmp_pat
 
 
 @pytest.mark.browser
-def test_the_types_are_those_of_the_module(package: Path, tmp_path: Path) -> None:
-    place = project(tmp_path / "page", package)
+def test_the_types_are_those_of_the_module(web_module: Path, tmp_path: Path) -> None:
+    place = project(tmp_path / "page", web_module)
     tool(place, "tsc", "--strict", "--noEmit", "--target", "es2022", "--moduleResolution", "bundler", "types.ts")
 
 
-def test_the_worklet_is_one_file_and_the_module_has_it_inside(package: Path) -> None:
-    worklet = (package / "ear-worklet.js").read_text(encoding="utf-8")
+def test_the_worklet_is_one_file_and_the_module_has_it_inside(web_module: Path) -> None:
+    worklet = (web_module / "ear-worklet.js").read_text(encoding="utf-8")
     assert "import" not in worklet
-    assert f"const WORKLET = {json.dumps(worklet)};" in (package / "ear.js").read_text(encoding="utf-8")
+    assert f"const WORKLET = {json.dumps(worklet)};" in (web_module / "ear.js").read_text(encoding="utf-8")
 
 
-def test_a_page_that_forbids_blobs_may_name_the_worklet_s_file(package: Path, tmp_path: Path) -> None:
+def test_a_page_that_forbids_blobs_may_name_the_worklet_s_file(web_module: Path, tmp_path: Path) -> None:
     place = tmp_path / "served"
-    shutil.copytree(package, place)
+    shutil.copytree(web_module, place)
     (place / "ear-preset.js").unlink()
     app = (APP / "main.js").read_text(encoding="utf-8")
     for old, new in (

@@ -15,11 +15,10 @@ OTHERS = {
 }
 
 
-@pytest.mark.parametrize("flags", [("-O2",), ("-O1", "-DEAR_PLAIN")], ids=["vectors", "plain"])
-def test_vectors_give_what_plain_c_gives(each_compiler: str, flags: tuple[str, ...]) -> None:
-    done = subprocess.run(
-        [compiled("kernels_probe", [PROBE], *flags, by=each_compiler)], capture_output=True, text=True, check=False
-    )
+@pytest.mark.parametrize(("by", "flags"), [("gcc", ("-O2",)), ("clang", ("-O1", "-DEAR_PLAIN"))])
+def test_vectors_give_what_plain_c_gives(by: str, flags: tuple[str, ...]) -> None:
+    program = compiled("kernels_probe", [PROBE], *flags, by=compiler(by))
+    done = subprocess.run([program], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
     assert done.stdout.startswith("plain to the last bit\n")
     assert (len(done.stdout.splitlines()) > 1) == ("-O2" in flags)
@@ -30,7 +29,7 @@ def test_clang_with_the_rules_of_microsoft_compiles_the_vectors(tmp_path: Path) 
     (tmp_path / "malloc.h").write_text("#include <stdlib.h>\n", encoding="utf-8")  # which clang's own headers include
     system = "--target=x86_64-pc-windows-msvc", "-nostdlibinc", "-isystem", declared, "-isystem", tmp_path
     made = tmp_path / "ear.o"
-    words = [compiler("clang"), "-std=c99", *system, "-O1", "-w", "-c", SOURCES / "ear.c", "-o", made]
+    words = [compiler("clang"), "-std=c99", *system, "-O0", "-w", "-c", SOURCES / "ear.c", "-o", made]
     done = subprocess.run(words, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert b"AVX2" in made.read_bytes()

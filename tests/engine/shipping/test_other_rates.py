@@ -17,9 +17,9 @@ from phonemeengine.shipping.targets import format_ear
 from tests.compiled_ears import CEar, CModel, EarLibrary
 from tests.engine.shipping.test_same_results import speech
 
-WIDE = (22_050, 24_000, 32_000, 44_101, 48_000, 96_000, 192_000)
+WIDE = (22_050, 44_101, 48_000, 192_000)
 """Rates of sounds that hold all that the network hears, up to 8 kHz."""
-NARROW = (8_000, 11_025, 16_000)
+NARROW = (8_000, 16_000)
 """Where the edge of what there is lies within that, and so the edges of both low passes."""
 
 
@@ -51,7 +51,7 @@ def test_speech_of_a_low_rate_is_nearly_the_same_in_c(library: EarLibrary, rate:
     assert np.abs(scores - expected_scores).max() < 0.03
 
 
-@pytest.mark.parametrize("rate", [16_000, 44_100, 48_000])
+@pytest.mark.parametrize("rate", [16_000, 48_000])
 def test_a_live_analyser_with_the_small_network_says_what_c_says(library: EarLibrary, rate: int) -> None:
     preset, sound = load_preset("learned"), resample_whole(speech(), SAMPLE_RATE, rate)
     analyser = Analyser(with_small_network(preset), rate=rate, live=True)
@@ -62,7 +62,7 @@ def test_a_live_analyser_with_the_small_network_says_what_c_says(library: EarLib
     assert (found[:n] == expected[:n]).mean() >= 0.99
 
 
-@pytest.mark.parametrize("rate", [8_000, 44_101, 48_000, 192_000])
+@pytest.mark.parametrize("rate", [8_000, 44_101])
 def test_the_frames_are_the_same_however_sound_of_another_rate_is_cut(library: EarLibrary, rate: int) -> None:
     model, sound = CModel(library, format_ear(load_preset("thesis"), ())), resample_whole(speech(), SAMPLE_RATE, rate)
     whole = CEar(model, rate).hear(sound)
@@ -71,7 +71,7 @@ def test_the_frames_are_the_same_however_sound_of_another_rate_is_cut(library: E
     assert (CEar(model, rate).hear(sound, range(1, min(len(sound), 300))) == whole).all()
 
 
-@pytest.mark.parametrize("rate", [1_000, 6_000, 16_000, 48_000, 768_000])
+@pytest.mark.parametrize("rate", [1_000, 48_000, 768_000])
 def test_a_tone_keeps_its_level_at_any_rate(library: EarLibrary, rate: int) -> None:
     base = load_preset("thesis")
     settings = replace(base.settings, intensity_low=-60.0, intensity_high=0.0, statistics=False)

@@ -12,6 +12,7 @@ from phonemeengine.shipping.compiling import LIBRARIES, library, prebuilt
 from phonemeengine.shipping.targets import format_ear
 from tests.compiled_ears import FRAME, SOURCES, compiled
 from tests.engine.shipping.test_same_results import check_same, recognised_by_engine, speech
+from tests.sounds import Sound
 
 PROGRAM = Path(__file__).parents[2] / "ear_hear.c"
 
@@ -27,11 +28,13 @@ def test_parts_of_other_sources_or_that_are_not_there_are_not_taken(tmp_path: Pa
 def heard(words: list[str | Path], folder: Path) -> np.ndarray:
     (folder / "preset.ear").write_bytes(format_ear(load_preset("learned"), ()))
     command = [*words, "preset.ear", "44100"]
-    done = subprocess.run(command, input=SOUND.tobytes(), cwd=folder, capture_output=True, check=True)
+    done = subprocess.run(command, input=said().tobytes(), cwd=folder, capture_output=True, check=True)
     return np.frombuffer(done.stdout, FRAME)
 
 
-SOUND = speech()[: 4 * 44_100]
+def said() -> Sound:
+    """Give four seconds of speech."""
+    return speech()[: 4 * 44_100]
 
 
 EMULATED = {
@@ -46,7 +49,7 @@ def test_another_system_hears_what_the_engine_hears(name: str, tmp_path: Path) -
     system, emulator = EMULATED[name]
     assert shutil.which(emulator), f"there is no {emulator}; install qemu-user-static and wine64"
     program = compiled("ear_hear.exe", [PROGRAM, SOURCES / "ear.c"], "-O2", f"--target={system}", by="zig")
-    check_same(heard([emulator, program], tmp_path), recognised_by_engine(load_preset("learned"), SOUND))
+    check_same(heard([emulator, program], tmp_path), recognised_by_engine(load_preset("learned"), said()))
 
 
 @pytest.mark.long
@@ -59,7 +62,7 @@ def test_the_library_for_android_needs_nothing_but_c_and_hears_the_same(tmp_path
     program.write_bytes(compiled("ear_hear", [PROGRAM], *flags).read_bytes())
     program.chmod(0o755)
     monkeypatch.setenv("LD_LIBRARY_PATH", str(tmp_path))
-    check_same(heard([program], tmp_path), recognised_by_engine(load_preset("learned"), SOUND))
+    check_same(heard([program], tmp_path), recognised_by_engine(load_preset("learned"), said()))
 
 
 def find_library_file(name: str) -> Path:

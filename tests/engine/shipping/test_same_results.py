@@ -34,7 +34,7 @@ from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import HOP, SAMPLE_RATE, Decimation, Decoding, WindowFunction
 from phonemeengine.shipping.targets import format_ear
-from tests.compiled_ears import CEar, CModel, EarLibrary, Frames, ear_library
+from tests.compiled_ears import CEar, CModel, EarLibrary, Frames, compiler, ear_library
 from tests.conftest import CORPUS
 from tests.models import tone_model
 from tests.sounds import Sound, noise, silence, tone
@@ -85,25 +85,29 @@ def says_several(analysis: Analysis, n: int) -> bool:
 
 
 @pytest.mark.parametrize("name", ["learned", "extended", "templates", "thesis", "thesis-calm", "thesis-anti-aliased"])
-def test_a_factory_preset_hears_the_same_in_c(each_compiler: str, name: str) -> None:
+def test_a_factory_preset_hears_the_same_in_c(library: EarLibrary, name: str) -> None:
     preset = load_preset(name)
     analysis = recognised_by_engine(preset, speech())
     assert says_several(analysis, 9)
-    check_same(heard_in_c(ear_library(each_compiler), preset, speech()), analysis)
+    check_same(heard_in_c(library, preset, speech()), analysis)
+    if name in {"learned", "thesis"}:
+        check_same(heard_in_c(ear_library(compiler("clang")), preset, speech()), analysis)
 
 
-@hypothesis_settings(max_examples=8)
+@hypothesis_settings(max_examples=5)
 @given(cuts=st.lists(st.integers(0, 2 * SAMPLE_RATE), max_size=40).map(sorted))
 def test_the_frames_are_the_same_however_the_sound_is_cut(library: EarLibrary, cuts: list[int]) -> None:
     sound, preset = speech()[: 2 * SAMPLE_RATE], load_preset("learned")
     assert (heard_in_c(library, preset, sound, cuts) == heard_in_c(library, preset, sound)).all()
 
 
-@pytest.mark.parametrize("n_samples", [0, 1, HOP, HOP + 1, 1000, 2500])
+@pytest.mark.parametrize("n_samples", [0, 1, HOP, HOP + 1, 2500])
 def test_a_short_sound_has_as_many_frames_as_in_the_engine(library: EarLibrary, n_samples: int) -> None:
     preset, sound = load_preset("learned"), tone(300, 1.0)[:n_samples]
-    check_same(heard_in_c(library, preset, sound), recognised_by_engine(preset, sound)) if n_samples else None
-    assert len(heard_in_c(library, preset, sound)) == -(-n_samples // HOP)
+    frames = heard_in_c(library, preset, sound)
+    assert len(frames) == -(-n_samples // HOP)
+    if n_samples:
+        check_same(frames, recognised_by_engine(preset, sound))
 
 
 def test_a_preset_that_was_adapted_and_calmed_hears_the_same(library: EarLibrary) -> None:

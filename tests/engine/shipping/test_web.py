@@ -22,24 +22,16 @@ MOST_BYTES = 1_500_000
 """Of module and model."""
 
 
-@pytest.fixture(scope="session")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The preset Learned, shipped as a module."""
-    place = tmp_path_factory.mktemp("module")
-    ship(load_preset("learned"), place, "web-module")
-    return place
-
-
-def test_the_module_hears_what_the_engine_hears(folder: Path) -> None:
+def test_the_module_hears_what_the_engine_hears(web_module: Path) -> None:
     analysis = recognised_by_engine(load_preset("learned"), speech())
     assert says_several(analysis, 9)
-    check_same(frames_of(in_node(folder, "hear", speech())[0]), analysis)
+    check_same(frames_of(in_node(web_module, "hear", speech())[0]), analysis)
 
 
-def test_weights_by_probabilities_are_those_of_the_engine(folder: Path) -> None:
+def test_weights_by_probabilities_are_those_of_the_engine(web_module: Path) -> None:
     sound = speech()[: 3 * 44_100]
     expected = blended_weights(load_table("arkit"), recognised_by_engine(load_preset("learned"), sound))
-    found = in_node(folder, "blend", sound)[0].reshape(expected.shape)
+    found = in_node(web_module, "blend", sound)[0].reshape(expected.shape)
     assert np.abs(found - expected).max() < 1e-3
     assert expected.max() > 0.2
 
@@ -50,26 +42,26 @@ def test_rules_hear_the_same_as_well(tmp_path: Path) -> None:
     check_same(frames_of(in_node(tmp_path, "hear", speech())[0]), recognised_by_engine(preset, speech()))
 
 
-def test_in_the_thread_of_the_sound_it_hears_the_same_and_allocates_nothing(folder: Path) -> None:
+def test_in_the_thread_of_the_sound_it_hears_the_same_and_allocates_nothing(web_module: Path) -> None:
     sound = speech()[: 2 * 44_100]
-    numbers, words = in_node(folder, "listenInWorklet", sound)
+    numbers, words = in_node(web_module, "listenInWorklet", sound)
     growth, goes_on = words.splitlines()
-    frames, whole = frames_of(numbers), frames_of(in_node(folder, "hear", sound)[0])
+    frames, whole = frames_of(numbers), frames_of(in_node(web_module, "hear", sound)[0])
     assert len(frames) > 190
     assert (frames == whole[: len(frames)]).all()
     assert float(growth) < 12  # bytes for each block of 128 samples; the least object has 16
     assert goes_on == "true false false"  # while nothing is connected, and after it was closed
 
 
-def test_a_microphone_of_48_khz_is_heard(folder: Path) -> None:
+def test_a_microphone_of_48_khz_is_heard(web_module: Path) -> None:
     sound = np.concatenate((silence(0.5), vowel((700, 1200, 2500), 0.5)))
-    frames = frames_of(in_node(folder, "hear", sound, 48_000)[0])
+    frames = frames_of(in_node(web_module, "hear", sound, 48_000)[0])
     assert len(frames) == -(-len(sound) * 100 // 48_000)
     assert (frames["phoneme"][:20] == Phoneme.SILENCE).all()
     assert (frames["intensity"][-20:-2] > 0).all()
 
 
-def test_the_mouth_moves_as_the_morpher_does(folder: Path) -> None:
+def test_the_mouth_moves_as_the_morpher_does(web_module: Path) -> None:
     rng = np.random.default_rng(3)
     times, phonemes = np.cumsum(rng.uniform(0.0, 0.2, 60)).astype(np.float32), rng.integers(1, len(Phoneme), 60)
     visemes, loud = rng.integers(1, len(Viseme), 60), rng.uniform(0, 1, 60).astype(np.float32)
@@ -79,12 +71,12 @@ def test_the_mouth_moves_as_the_morpher_does(folder: Path) -> None:
         phone = VISEME_PHONES.get(Viseme(viseme), "")
         morpher.add(float(time), Phoneme(phoneme), float(intensity), phone)
         expected.append(morpher.weights(float(time)))
-    found = in_node(folder, "move", given.ravel())[0].reshape(len(times), -1)
+    found = in_node(web_module, "move", given.ravel())[0].reshape(len(times), -1)
     assert np.abs(found - np.array(expected)).max() < 1e-5
 
 
-def test_the_module_tells_what_it_knows_and_asks_its_page_for_nothing(folder: Path) -> None:
-    told = json.loads(in_node(folder, "tell", silence(0.0))[1])
+def test_the_module_tells_what_it_knows_and_asks_its_page_for_nothing(web_module: Path) -> None:
+    told = json.loads(in_node(web_module, "tell", silence(0.0))[1])
     table = load_table("rhubarb")
     assert told["imports"] == []
     assert told["phonemes"] == [phoneme.label for phoneme in Phoneme]
@@ -95,8 +87,8 @@ def test_the_module_tells_what_it_knows_and_asks_its_page_for_nothing(folder: Pa
     assert 95 <= told["frames"] <= 100
 
 
-def test_what_cannot_be_opened_is_refused_in_a_sentence(folder: Path) -> None:
-    refused = in_node(folder, "refuse", silence(0.0))[1].splitlines()
+def test_what_cannot_be_opened_is_refused_in_a_sentence(web_module: Path) -> None:
+    refused = in_node(web_module, "refuse", silence(0.0))[1].splitlines()
     for line, words in zip(
         refused,
         (
@@ -117,13 +109,13 @@ def test_what_cannot_be_opened_is_refused_in_a_sentence(folder: Path) -> None:
         assert words in line
 
 
-def test_a_module_with_its_model_is_small_and_makes_a_package(folder: Path) -> None:
-    assert sum((folder / name).stat().st_size for name in ("ear.wasm", "preset.ear")) <= MOST_BYTES
-    package = json.loads((folder / "package.json").read_text(encoding="utf-8"))
+def test_a_module_with_its_model_is_small_and_makes_a_package(web_module: Path) -> None:
+    assert sum((web_module / name).stat().st_size for name in ("ear.wasm", "preset.ear")) <= MOST_BYTES
+    package = json.loads((web_module / "package.json").read_text(encoding="utf-8"))
     assert {"name", "version", "license"} <= package.keys()
     assert "dependencies" not in package
-    assert all((folder / name).exists() for name in (*package["files"], package["types"], "README.md"))
-    readme = (folder / "README.md").read_text(encoding="utf-8")
+    assert all((web_module / name).exists() for name in (*package["files"], package["types"], "README.md"))
+    readme = (web_module / "README.md").read_text(encoding="utf-8")
     assert all(f"`{name}`" in readme for name in package["files"])
 
 
