@@ -235,6 +235,8 @@ def _leave_talk(desktop: Desktop) -> None:
     talking.text.set_lexicon(None)
     talking.expression.set_file(None)
     talking.expression.clear()
+    for head in desktop.window.findChildren(HeadView):
+        head.trouble = ""  # each test has OpenGL, or has none
     if talking.face.name != tr(HEADS[USUAL_HEAD]):
         talking.face.load(FaceFiles())
 
