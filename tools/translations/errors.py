@@ -30,7 +30,6 @@ WITHOUT_WINDOW = {
     "performance/gltf_face.py",
     "performance/livelink.py",
     "performance/making.py",
-    "performance/style_fit.py",
     "performance/vmc.py",
     "recognition/plug_ins.py",
     "rendering/clip.py",

@@ -77,13 +77,13 @@ def fit_style(performances: Iterable[Performance], name: str, progress: Progress
 
     Raises
     ------
-    PerformanceError : no recording has speech and a mouth.
+    PerformanceError : no recording has speech and a mouth that moves.
     Cancelled : `progress` did not want to go on.
     """
     takes = [*_takes_of(performances)]
-    if not takes:
-        raise PerformanceError("no recording has both speech and blend shapes of a mouth; choose others")
     fit = _StyleFit(takes)
+    if not fit.moves:
+        raise PerformanceError("no recording has both speech and a mouth that moves; choose others")
     speed = width = 1.0
     for k, spread in enumerate(SPREADS):
         report_progress(progress, k / len(SPREADS))
@@ -190,6 +190,7 @@ class _StyleFit:
         self._made_with, self._made = (0.0, 0.0), list[tuple[Float64Array, ...]]()
         moved = [any(np.ptp(take.weights[:, k]) > 0 for take in takes) for k in range(len(ARKIT))]
         self._columns = [k for k, name in enumerate(ARKIT) if moved[k] and not name.endswith("Right")]
+        self.moves = bool(self._columns)
 
     def difference(self, style: Style) -> float:
         """Return the root mean square difference of the mouth's weights, of the left half and the middle."""

@@ -80,6 +80,7 @@ class TalkDialogs(QObject):
         page.expression.file_asked.connect(self.ask_expression)
         page.style_panel.target_asked.connect(self.ask_save_style)
         page.style_panel.name_asked.connect(self.ask_style_name)
+        page.style_panel.fit_asked.connect(self._fit_style)
         page.text.voice.panel.table_asked.connect(self.ask_performance)
         page.text.voice.panel.network_asked.connect(self.ask_network)
         page.words_asked.connect(self.ask_save_words)
@@ -197,6 +198,9 @@ class TalkDialogs(QObject):
         dialog = input_dialog(self._window, tr("Rename Style"), tr("Name of the style:"), verb, styles.edited.name)
         if name := answer_of(dialog):
             styles.rename(name)
+
+    def _fit_style(self) -> None:
+        self._talking.text.drivers.performance.fit_style(self._talking.styles.take)
 
     def ask_save_words(self) -> bool:
         """Let the user choose a TextGrid to save the words to; beside the sound it is found again."""

@@ -3495,6 +3495,11 @@
             <translation>Schwellen anpassen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Fit to Recorded Faces</source>
+            <translation>An aufgezeichnete Gesichter anpassen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Fit to view</source>
             <translation>Einpassen</translation>
@@ -3508,6 +3513,11 @@
             <location filename="../../../engine/phonemeengine/audio/devices.py" />
             <source>fits several</source>
             <translation>passt zu mehreren</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/performance_model.py" />
+            <source>Fitting: {progress:.0%}</source>
+            <translation>Anpassung: {progress:.0%}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -6350,6 +6360,11 @@
             <translation>für kein Phonem reicht die Sprache für ein Template; Takes von je 1 s aufnehmen</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/performance/style_fit.py" />
+            <source>no recording has both speech and a mouth that moves; choose others</source>
+            <translation>Keine Aufnahme hat sowohl Sprache als auch einen bewegten Mund; andere wählen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>no recording of the network has a {place} sound, so lips may stay apart there</source>
             <translation>keine Aufnahme des Netzes enthält einen Laut der Art {place}; dort bleiben die Lippen womöglich offen</translation>
@@ -8745,6 +8760,11 @@
             <translation>Andere auf 0</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Set reach, speed, closures and asymmetry so that rules move most like the recorded faces in use</source>
+            <translation>Reichweite, Tempo, Verschlüsse und Asymmetrie so einstellen, dass sich Regeln möglichst wie die verwendeten aufgezeichneten Gesichter bewegen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Set start, end of the range</source>
             <translation>Anfang, Ende des Bereichs setzen</translation>
@@ -10490,6 +10510,11 @@
             <translation>Die stärkste Anpassung wurde verworfen: {cost}; das Preset bleibt unverändert.</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/performance_model.py" />
+            <source>The style is fitted to {n:.0f} s: it differs by {after:.3f} RMS, neutral by {before:.3f}.</source>
+            <translation>Stil an {n:.0f} s angepasst: Abweichung {after:.3f} RMS, neutral {before:.3f}.</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/mouth/face_mapping.py" />
             <source>the table {name} moves {unknown}, which is none of {basis}; choose another table</source>
             <translation>Die Tabelle {name} bewegt {unknown}, das gehört nicht zu {basis}; eine andere Tabelle wählen</translation>
@@ -10608,6 +10633,11 @@
             <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
             <source>there are no morph targets in it; put them into one file first, with: phonemeanalyser movestates export {path} TARGET... -o face.glb</source>
             <translation>Keine Morph-Targets enthalten; zuerst in einer Datei zusammenfassen mit: phonemeanalyser movestates export {path} TARGET... -o face.glb</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/performance_model.py" />
+            <source>There are no recorded faces to fit the style to; open a table in Voice &amp; Face.</source>
+            <translation>Es gibt keine aufgezeichneten Gesichter, an die der Stil angepasst werden kann; Tabelle unter Stimme &amp; Gesicht öffnen.</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/containers.py" />

@@ -1,5 +1,6 @@
 """Recorded faces in the window: a table says what is said, beside other drivers, and plays what it was made of."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,7 @@ from phonemeengine.mouth.transcript import Transcript, scripted_transcript_of
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.corpus import build_table
 from phonemeengine.performance.driver import FACE
+from phonemeengine.performance.style_fit import fit_style
 from phonemeengine.performance.table_file import PerformanceTable, write_table
 from phonemeengine.performance.track import PerformanceTrack, face_table, format_units
 from tests.desktop.stage import START
@@ -346,3 +348,22 @@ def test_a_recording_without_its_sound_is_seen_and_that_is_said(desk: Desk, corp
         return original.face is None
 
     desk.qtbot.waitUntil(over)
+
+
+def test_a_style_is_fitted_to_the_recordings_in_use(desk: Desk, table: Path) -> None:
+    performance, styles = desk.texts.drivers.performance, desk.stage.talking.styles
+    performance.fit_style(styles.take)
+    assert desk.failed[0].startswith("There are no recorded faces to fit the style to")
+    use(desk, table)
+    performance.fit_style(styles.take)
+    desk.qtbot.waitUntil(lambda: "a mouth that moves" in desk.failed[-1])
+    write_recording(table.parent)
+    build_table(table.parent, table.with_name("mami.sqlite"))
+    use(desk, table.with_name("mami.sqlite"))
+    performance.fit_style(styles.take)
+    desk.qtbot.waitUntil(lambda: any(words.startswith("The style is fitted to 1 s") for words in desk.told))
+    with PerformanceTable.open(table.with_name("mami.sqlite")) as opened:
+        fitted = fit_style((found for _, found in opened.recordings()), "neutral").style
+    assert (styles.style, styles.is_edited("neutral")) == (replace(fitted, notes=styles.style.notes), True)
+    desk.session.preset.undo_stack.undo()
+    assert not styles.is_edited("neutral")

@@ -52,5 +52,5 @@ def test_the_fit_gives_back_the_style_that_made_the_performance(reach, speed, wi
 
 
 def test_a_performance_without_a_mouth_is_refused():
-    with pytest.raises(PerformanceError, match="blend shapes of a mouth"):
+    with pytest.raises(PerformanceError, match="a mouth that moves"):
         fit_style([performed(Style(), ("browInnerUp",))], "none")

@@ -1,5 +1,6 @@
 """Recorded faces for what is said: which table is chosen, and what it shows of the current sound."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,7 @@ from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import FACE, PerformanceDriver, PerformanceOptions, UsedUnit
 from phonemeengine.performance.own_sound import OwnSound
 from phonemeengine.performance.spoken_face import SpokenFace
+from phonemeengine.performance.style_fit import FittedStyle, fit_style
 from phonemeengine.performance.table_choice import chosen_table
 from phonemeengine.performance.table_file import PerformanceTable, TableAbout
 from phonemeengine.performance.track import PerformanceTrack, PerformedMouth
@@ -122,8 +124,10 @@ class PerformanceModel(OpenedFiles):
         self.notes: tuple[str, ...] = ()
         self._measured: tuple[MeasuredSound, Prosody] | None = None
         self._ready = 0.0, 0.0
-        self._work, self._preparing = TaskQueue(self._fail), TaskQueue(self.error.emit)
-        self._work.changed.connect(self.changed)
+        self._work = TaskQueue(self._fail)
+        self._preparing, self._fitting = (TaskQueue(self.error.emit) for _ in range(2))
+        for work in (self._work, self._fitting):
+            work.changed.connect(self.changed)
 
     @property
     def table(self) -> PerformanceTable | None:
@@ -136,6 +140,8 @@ class PerformanceModel(OpenedFiles):
         """What is going on, in words; nothing where that is nothing."""
         if self._opening.busy:
             return tr("Opening table…")
+        if self._fitting.busy:
+            return tr("Fitting: {progress:.0%}").format(progress=self._fitting.progress)
         return tr("Looking up faces: {progress:.0%}").format(progress=self._work.progress) if self._work.busy else ""
 
     # -- what is chosen -----------------------------------------------------------------------------------
@@ -252,9 +258,23 @@ class PerformanceModel(OpenedFiles):
             self._ready = position, position + AHEAD
             self._preparing.submit(lambda _progress: face.prepare(position, position + AHEAD))
 
+    def fit_style(self, take: Callable[[Style], object]) -> None:
+        """Fit a style to the recordings of the table in use, in the background."""
+        path = self.chosen
+        if path is None:
+            self.error.emit(tr("There are no recorded faces to fit the style to; open a table in Voice & Face."))
+            return
+
+        def show(fitted: FittedStyle) -> None:
+            take(fitted.style)
+            sentence = tr("The style is fitted to {n:.0f} s: it differs by {after:.3f} RMS, neutral by {before:.3f}.")
+            self.info.emit(sentence.format(n=fitted.seconds, after=fitted.after, before=fitted.before))
+
+        self._fitting.replace(lambda progress: _fitted(path, progress), show)
+
     def close(self) -> None:
         """End all work."""
-        for work in (self._opening, self._work, self._preparing):
+        for work in (self._opening, self._work, self._preparing, self._fitting):
             work.close(CLOSE_TIMEOUT)
 
     @property
@@ -336,3 +356,8 @@ def _units_of(track: PerformanceTrack, progress: Progress) -> tuple[UsedUnit, ..
         units.append(unit)
         report_progress(progress, min(1.0, unit.end / duration))
     return tuple(units)
+
+
+def _fitted(path: Path, progress: Progress) -> FittedStyle:
+    with PerformanceTable.open(path) as table:
+        return fit_style((performance for _, performance in table.recordings()), path.stem, progress)

@@ -149,6 +149,10 @@ class StyleModel(QObject):
         table = replace(table, phones={**table.phones, phone: pose}, shapes={**table.shapes, own: percentages})
         self._edit(lambda style: replace(style, **{group: table}))
 
+    def take(self, style: Style) -> None:
+        """Have the style that is edited speak as another one."""
+        self._edit(lambda own: replace(style, name=own.name, notes=own.notes))
+
     def revert(self) -> None:
         """Take back all edits of the style that is edited since it was saved; that can be undone, too."""
         self._edit(lambda _style: self._saved[self.names[self.side]])

@@ -70,6 +70,7 @@ class StylePanel(QWidget):
     -------
     target_asked : the user wants to save the style under another name.
     name_asked : the user wants to rename it.
+    fit_asked : the user wants it fitted to the recorded faces in use.
 
     Attributes
     ----------
@@ -78,11 +79,12 @@ class StylePanel(QWidget):
     blend : the slider from A to B.
     sliders : of the amounts, by name.
     part, table : which numbers or poses are shown, and these.
-    save, save_as, rename, revert : buttons.
+    fit, save, save_as, rename, revert : buttons.
     """
 
     target_asked = Signal()
     name_asked = Signal()
+    fit_asked = Signal()
 
     def __init__(self, styles: StyleModel, theme: Theme) -> None:
         super().__init__()
@@ -110,6 +112,10 @@ class StylePanel(QWidget):
         )
         self.table = named(QTableWidget(), tr("Poses and numbers of the style"))
         self.table.setFixedHeight(TABLE_HEIGHT)
+        self.fit = spoken_button(
+            tr("Fit to Recorded Faces"),
+            tr("Set reach, speed, closures and asymmetry so that rules move most like the recorded faces in use"),
+        )
         self.save = spoken_button(tr("Save"), tr("Save the style to its file"))
         self.save_as = spoken_button(tr("Save As…"), tr("Save the style under another name"))
         self.rename = spoken_button(tr("Rename…"), tr("Give your own style and its file another name"))
@@ -133,6 +139,7 @@ class StylePanel(QWidget):
             row((heading(tr("Style")), 1), self.save, self.save_as, self.rename, self.revert, spacing=4),
             sides,
             amounts,
+            row(self.fit, 1),
             row(shown, (self.part, 1), spacing=6),
             self.table,
             on=self,
@@ -152,6 +159,7 @@ class StylePanel(QWidget):
         self.table.itemChanged.connect(self._take)
         self.save.clicked.connect(lambda _checked: model.save() if model.is_own else self.target_asked.emit())
         self.save_as.clicked.connect(lambda _checked: self.target_asked.emit())
+        self.fit.clicked.connect(lambda _checked: self.fit_asked.emit())
         self.rename.clicked.connect(lambda _checked: self.name_asked.emit())
         self.revert.clicked.connect(lambda _checked: model.revert())
         model.changed.connect(self._show_state)
