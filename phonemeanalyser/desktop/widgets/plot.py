@@ -158,6 +158,12 @@ def live_axes() -> dict[str, LiveAxis]:
     return {side: LiveAxis(side) for side in ("left", "bottom")}
 
 
+def unlink_hidden_axes(plot: Any) -> None:
+    """Have the axes that a plot hides follow no range: at each change they would lay out their names anew."""
+    for side in ("top", "right"):
+        plot.getAxis(side).unlinkFromView()
+
+
 class RangeBox(pg.ViewBox):
     """A view box in which a drag moves the picture, or draws a range.
 
@@ -226,6 +232,7 @@ class Plot(QWidget):
         self.theme = theme
         self.graphics = pg.PlotWidget(viewBox=RangeBox(), enableMenu=False, axisItems=live_axes())
         self.item: Any = self.graphics.getPlotItem()
+        unlink_hidden_axes(self.item)
         self._read_out = read_out
         self._mouse: QPointF | None = None
         self.graphics.setAccessibleName(title)

@@ -38,7 +38,14 @@ from phonemeanalyser.desktop.widgets.builders import (
     tool_button,
 )
 from phonemeanalyser.desktop.widgets.lanes import TimeAxis, lane_of_frames, names_in_lanes, paint_lane
-from phonemeanalyser.desktop.widgets.plot import READOUTS_PER_SECOND, LiveAxis, LiveCurve, ReadOut, live_axes
+from phonemeanalyser.desktop.widgets.plot import (
+    READOUTS_PER_SECOND,
+    LiveAxis,
+    LiveCurve,
+    ReadOut,
+    live_axes,
+    unlink_hidden_axes,
+)
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.arrays import Float32Array
 from phonemeengine.phonemes import Phoneme
@@ -259,6 +266,7 @@ class ScrollView(QWidget):
         items = (self.sonagram, self._lane, self._course, self._feeling)
         for plot, item in zip(self._plots, items, strict=True):
             plot.addItem(item)
+            unlink_hidden_axes(plot)
             plot.hideButtons()
             plot.getAxis("left").setWidth(AXIS_WIDTH)
             plot.setMouseEnabled(x=True, y=False)
