@@ -24,6 +24,7 @@ from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.export_choices import ExportChoices
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import format_clock
+from phonemeanalyser.desktop.program_folder import in_program, outside_program
 from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, FaceInUse, work_of
 from phonemeanalyser.desktop.session.export_queue import ExportJob, ExportQueue, ExportState, in_the_way, sounds_in
 from phonemeanalyser.desktop.settings import keep
@@ -105,7 +106,7 @@ class ExportDialog(QDialog):
         """Add sounds, and those in folders."""
         if not self.choices.is_text:
             self._sounds = list(dict.fromkeys([*self._sounds, *sounds_in(paths)]))
-        self._show_files()
+        self.write_into(self._folder)
 
     # -- how it is made -----------------------------------------------------------------------------------
 
@@ -230,9 +231,10 @@ class ExportDialog(QDialog):
         self.write_into(folder)
 
     def write_into(self, folder: Path | None) -> None:
-        """Have the files written into a folder; None for beside each sound."""
-        self._folder = folder
-        self.folder.setText(str(folder or tr(BESIDE)))
+        """Have the files written into a folder; None for beside each sound, but nothing beside the demo."""
+        own = next(filter(in_program, self._sounds), None)
+        self._folder = folder or (None if own is None else outside_program(own, make_folder=True).parent)
+        self.folder.setText(str(self._folder or tr(BESIDE)))
         self._show_files()
 
     def _remove(self) -> None:

@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget, QPlainTextEdit
 
@@ -28,6 +29,8 @@ LIMIT = 1.0
 LONGEST_TICK = 0.0003
 LONGEST_KEY, N_KEYS = 0.016, 60
 """Seconds that a key may take in a long script, so that each picture of the window has what was typed; and keys."""
+PICTURE, N_MOVES = 1 / 60, 40
+"""Seconds in which a dragged key is seen in curve and head; and by how many moves of the mouse it is dragged."""
 SCRIPT = "She sells sea shells, maybe, on the shore near my house. " * 160
 """About ten minutes of speech."""
 UNDECIDED = 3
@@ -47,7 +50,7 @@ class Cost:
 def figures() -> list[Figure]:
     """Measure page and dock, in a process of its own."""
     answer = answer_of("talking")
-    keys = answer.pop("keys")
+    keys, moves = answer.pop("keys"), answer.pop("moves")
     costs = {name: Cost(**cost) for name, cost in answer.items()}
     found = [
         Figure(
@@ -79,6 +82,14 @@ def figures() -> list[Figure]:
             1.0,
             absolute=Absolute.WORK,
         ),
+        Figure(
+            "a key of a blend shape dragged, until its curve and the head are painted",
+            f"{1000 * statistics.median(moves):.1f} ms",
+            f"{1000 * PICTURE:.1f} ms",
+            statistics.median(moves) / PICTURE,
+            1.0,
+            absolute=Absolute.WORK,
+        ),
         Figure("analyses missed with the head", f"{missed} frames", "none", float(missed), limit=0.0),
     ]
 
@@ -95,9 +106,9 @@ def main() -> None:
         next(d for d in window.findChildren(QDockWidget) if d.objectName() == "Head").show()
         dock = _measured(desktop, window.head)
         window.show_page(TALK)
-        keys = _typed(window.talk.text.field)
+        moves, keys = _dragged(desktop), _typed(window.talk.text.field)
         desktop.close()
-    print(json.dumps({"full page": asdict(page), "dock": asdict(dock), "keys": keys}))
+    print(json.dumps({"full page": asdict(page), "dock": asdict(dock), "keys": keys, "moves": moves}))
 
 
 def _typed(field: QPlainTextEdit) -> list[float]:
@@ -110,6 +121,35 @@ def _typed(field: QPlainTextEdit) -> list[float]:
         QTest.keyClicks(field, key)
         field.repaint()
         seconds.append(time.process_time() - began)
+    return seconds
+
+
+def _dragged(desktop: Desktop) -> list[float]:
+    """Drag a key of the jaw up and down; returns the processor time of each move until it is seen, seconds."""
+    page, keys = desktop.window.talk, desktop.talking.keys
+    lanes, surface = page.key_panel.lanes, page.head.surface
+    assert surface is not None, page.head.trouble
+    keys.set_open(True)
+    while (curve := keys.curve_of("jawOpen")) is None:
+        live_for(0.1)
+    held = float(curve.points(0.5)[1])
+    desktop.session.seek(held)
+    live_for(1.0)
+    row, place = lanes.rows()["jawOpen"], lanes.place_of("jawOpen", held).toPoint()
+    QTest.mousePress(lanes, Qt.MouseButton.LeftButton, pos=place)
+    seconds: list[float] = []
+    for k in range(N_MOVES):
+        live_for(0.05)
+        while surface.due > time.monotonic():
+            live_for(0.01)
+        n_before, began = surface.n_drawn, time.process_time()
+        QTest.mouseMove(lanes, QPoint(place.x(), round(row.top()) + 8 + k % 10 * 4))
+        desktop.window.redraw.tick()
+        lanes.repaint()
+        surface.repaint()
+        if surface.n_drawn > n_before:  # else the key was at an end of its lane before
+            seconds.append(time.process_time() - began)
+    QTest.mouseRelease(lanes, Qt.MouseButton.LeftButton, pos=place)
     return seconds
 
 

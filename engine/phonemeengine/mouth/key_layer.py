@@ -6,6 +6,7 @@ the edits stay. An offset key lies at a time; between two keys of one blend shap
 and after the last one it is 0.
 """
 
+import math
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -17,7 +18,7 @@ import numpy as np
 import tomli_w
 from typing_extensions import override
 
-from phonemeengine.arrays import Float32Array, Float64Array, ShortRepr
+from phonemeengine.arrays import Float32Array, Float64Array, IndexArray, ShortRepr
 from phonemeengine.errors import MouthError
 from phonemeengine.storage.files import write_file
 from phonemeengine.storage.strict_table import StrictTable, load_text, parse_toml
@@ -31,6 +32,10 @@ LATEST = 86_400.0
 """Seconds; no key is later than a day."""
 LARGEST = 64 * 2**20
 """Bytes of a file."""
+TOLERANCE = 0.02
+"""Of the weight, by which the lines between the points of a curve may miss it."""
+PIECE = 256
+"""Frames, for which points are found without a look at others."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -180,26 +185,20 @@ class ShownCurve:
         offsets = self.keys.at(self.times)
         return np.where(offsets != 0, np.clip(self.generated + offsets, 0.0, 1.0), self.generated)
 
-    def points(self, tolerance: float = 0.02) -> Float64Array:
-        """Return the times of the keys in the sound, and of few points whose joining lines are near the curve.
+    def points(self, start: float = 0.0, end: float = math.inf) -> Float64Array:
+        """Return the times of the keys in a range, and of few points whose joining lines are near the curve there.
 
         They are seconds, and rise. The points are those of Ramer (1972) and Douglas & Peucker (1973): the frame that
-        is farthest from the line between two points becomes a point, until none is farther than the tolerance.
+        is farthest from the line between two points becomes a point, until none is farther than `TOLERANCE`. Each
+        `PIECE` begins with a point, so that a range of a long sound is as quick as that of a short one.
         """
-        found = {0, max(len(self.shown) - 1, 0)}
-        waiting = [(0, len(self.shown) - 1)]
-        while waiting:
-            first, last = waiting.pop()
-            if last - first < 2:
-                continue
-            line = np.linspace(self.shown[first], self.shown[last], last - first + 1)
-            far = np.abs(self.shown[first : last + 1] - line)
-            if far.max() > tolerance:
-                middle = first + int(np.argmax(far))
-                found.add(middle)
-                waiting += [(first, middle), (middle, last)]
-        keys = self.keys.times[self.keys.times * self.rate <= len(self.shown) - 1 + 1e-6]
-        return np.unique(np.concatenate([[k / self.rate for k in found], keys]))
+        last = max(len(self.shown) - 1, 0)
+        first = int(min(max(start, 0.0) * self.rate, last)) // PIECE * PIECE
+        behind = PIECE * (int(min(end * self.rate, last)) // PIECE + 1) + 1
+        points = (first + _corners_of(self.shown[first:behind])) / self.rate
+        keys = self.keys.times[self.keys.times * self.rate <= last + 1e-6]
+        found = np.unique(np.concatenate([points, keys]))
+        return found[(found >= start) & (found <= end)]
 
     def with_point(self, time: float, weight: float, before: float, after: float) -> KeyCurve:
         """Return the keys by which the curve goes through a weight at a time; outside of `before`..`after` it stays.
@@ -277,6 +276,22 @@ class ShownCurve:
             raise MouthError(
                 f"keys lie one after the other within the sound, 0..{end:.3f} s, got {shown} s; move them"
             )
+
+
+def _corners_of(weights: Float64Array) -> IndexArray:
+    """Return the frames of the points by which few lines are near a curve; those between all points at once."""
+    frames = np.arange(len(weights))
+    corners = np.unique(np.concatenate([frames[::PIECE], frames[-1:]]))
+    while len(corners) > 1:
+        far = np.abs(weights - np.interp(frames, corners, weights[corners]))
+        far[far <= TOLERANCE] = -1.0  # is no farthest one
+        farthest = np.maximum.reduceat(far[:-1], corners[:-1])
+        found = frames[:-1][(far[:-1] > 0) & (far[:-1] == np.repeat(farthest, np.diff(corners)))]
+        _, first = np.unique(np.searchsorted(corners, found), return_index=True)  # of frames that are equally far
+        if not len(first):
+            break
+        corners = np.sort(np.concatenate([corners, found[first]]))
+    return corners
 
 
 # Files.

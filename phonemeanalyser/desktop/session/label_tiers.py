@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.program_folder import outside_program
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.session.undo import UndoableEdit
 from phonemeengine.arrays import IndexArray
@@ -136,7 +137,7 @@ class LabelTiers(QObject):
     def follow(self, sound: Path | None, duration: float) -> None:
         """Take the labels beside another sound, if there are any; they are refused with one sentence."""
         self._take(None, (), duration)
-        found = None if sound is None else labels_beside(sound)
+        found = None if sound is None else labels_beside(outside_program(sound)) or labels_beside(sound)
         if found is not None:
             self.load(found)
 

@@ -8,6 +8,7 @@ from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QWidget
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.program_folder import outside_program
 from phonemeengine.audio.files import SUFFIXES
 from phonemeengine.storage.files import free_path
 
@@ -72,8 +73,9 @@ class FileAsker:
         """Let the user choose a file to write; where its name lacks an ending, add that of the chosen filter.
 
         Such a name replaces nothing, since no question was asked. With `other_endings`, one that no filter has stays,
-        for the engine to refuse; that of "demo 0.10-0.25" is none.
+        for the engine to refuse; that of "demo 0.10-0.25" is none. What is suggested beside the demo is in Documents.
         """
+        suggested = outside_program(suggested, make_folder=True)
         paths, chosen = self._ask(Mode.AnyFile, title, suggested, filters, kind)
         path = _first(paths)
         if path is None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -41,6 +41,9 @@ LEAST_LOUDNESS = 0.05
 """The amplitude that fills a waveform's height at least."""
 
 
+Times = TypeVar("Times", float, Float64Array)
+
+
 class TimeAxis(NamedTuple):
     """Where times lie on a widget: a number of seconds from `start` on, over `width` pixels from `left` on."""
 
@@ -54,8 +57,8 @@ class TimeAxis(NamedTuple):
         """The last time that is seen, seconds."""
         return self.start + self.seconds
 
-    def x_of(self, seconds: float) -> float:
-        """Return the pixel of a time."""
+    def x_of(self, seconds: Times) -> Times:
+        """Return the pixel of a time, or of several."""
         return self.left + (seconds - self.start) / self.seconds * self.width
 
     def time_at(self, x: float) -> float:

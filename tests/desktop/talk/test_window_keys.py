@@ -12,14 +12,17 @@ from PySide6.QtWidgets import QApplication, QMenu
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.export_dialog import ExportDialog
 from phonemeanalyser.desktop.session.export_kinds import ExportOrder, with_texts, work_of
 from phonemeanalyser.desktop.talk.keys.key_lanes import KeyLanes
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.batch.work import Job, say_nothing
 from phonemeengine.execution import no_progress
 from phonemeengine.mouth.curves_file import read_curves
-from phonemeengine.mouth.key_layer import NO_KEYS, keys_beside, read_keys
-from tests.desktop.hands import CARDS, answer, shown
+from phonemeengine.mouth.key_layer import NO_KEYS, KeyCurve, KeyLayer, keys_beside, read_keys
+from phonemeengine.settings import Channel
+from phonemeengine.storage.paths import presets_folder
+from tests.desktop.hands import CARDS, DEMO, FileAnswers, answer, shown
 
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 
@@ -166,6 +169,27 @@ def test_keys_are_saved_beside_the_sound_found_again_and_exported(desktop, windo
     assert lanes.keys.layer == NO_KEYS
     desktop.session.open(recording)
     assert lanes.keys.layer == saved
+
+
+def test_what_is_made_of_the_demo_stays_out_of_the_folder_of_the_program(desktop, settings, tmp_path):
+    desktop.session.open(DEMO)
+    layer = KeyLayer({"jawOpen": KeyCurve(np.array([0.1, 0.2, 0.3]), np.array([0, 0.5, 0.0]))})
+    desktop.talking.keys.put(layer)
+    assert desktop.talking.keys.save()
+    assert not keys_beside(DEMO).exists()
+    kept = presets_folder().with_name(keys_beside(DEMO).name)
+    assert kept.is_file()
+    desktop.session.open(CARDS)
+    desktop.session.open(DEMO)
+    assert desktop.talking.keys.layer == layer
+    desktop.files.show = answers = FileAnswers(tmp_path / "demo.TextGrid")
+    assert desktop.window.talking_dialogs.ask_save_words() is False  # there are none yet
+    assert answers.suggested == [kept.with_name("demo.TextGrid")]
+    dialog = ExportDialog(desktop.preset.preset, Channel.MIX, [DEMO], settings, desktop.window)
+    assert dialog.folder.text() == str(kept.parent)
+    dialog.queue.close()
+    dialog.close()
+    kept.unlink()
 
 
 def test_unsaved_keys_are_asked_about(desktop, window, lanes, recording):

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QDialog, QListWidget, QListWidgetItem, QWidget
 from phonemeanalyser.desktop.analyse.lanes.file_view import FileView
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.program_folder import in_program
 from phonemeanalyser.desktop.session.label_tiers import ChosenLabel, LabelTiers
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import TimeSpan
@@ -205,7 +206,7 @@ class LabelDialogs(QObject):
     def save(self) -> bool:
         """Save the labels to their file, or to one that the user chooses."""
         path = self._labels.path
-        return self.ask_save_as() if path is None else self._labels.save(path)
+        return self.ask_save_as() if path is None or in_program(path) else self._labels.save(path)
 
     def ask_save_as(self) -> bool:
         """Let the user choose a file to save the labels to; says whether they were saved."""

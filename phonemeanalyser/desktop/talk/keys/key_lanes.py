@@ -1,12 +1,13 @@
 """The curves of blend shapes over time, whose keys can be dragged, added, deleted, smoothed and raised."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QContextMenuEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF
+from PySide6.QtGui import QColor, QContextMenuEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QPixmap
 from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 from typing_extensions import override
 
@@ -17,6 +18,7 @@ from phonemeanalyser.desktop.talk.keys.key_model import KeyModel
 from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.lanes import TimeAxis
+from phonemeanalyser.desktop.widgets.plot import polyline_of
 from phonemeengine.arrays import Float64Array
 from phonemeengine.mouth.key_layer import KeyCurve, ShownCurve
 
@@ -64,6 +66,17 @@ class MarkedRange:
         return replace(self, start=min(self.start, self.end), end=max(self.start, self.end))
 
 
+class _Painted(NamedTuple):
+    """What a row shows, by which its picture is still the right one."""
+
+    curve: ShownCurve | None
+    selected: HeldKey | None
+    marked: MarkedRange | None
+    axis: TimeAxis
+    row: QRectF
+    scale: float
+
+
 class KeyLanes(QWidget):
     """Paints a curve for each chosen blend shape; what is generated is faint, what is shown is bold.
 
@@ -84,6 +97,8 @@ class KeyLanes(QWidget):
         self._dragged: tuple[HeldKey, KeyCurve, float, float] | None = None
         self._marking = False
         self._playhead = 0.0
+        self._laid_out = keys.shapes
+        self._pictures: dict[str, tuple[_Painted, QPixmap]] = {}
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
@@ -122,75 +137,93 @@ class KeyLanes(QWidget):
 
     def place_of(self, shape: str, time: float) -> QPointF:
         """Return the pixel at which a curve is at a time."""
-        curve, row = self._shown(shape), self.rows()[shape]
-        weight = 0.0 if curve is None else float(np.interp(time, curve.times, curve.shown))
+        curve, row = self.keys.curve_of(shape), self.rows()[shape]
+        weight = 0.0 if curve is None else np.interp(time, curve.times, curve.shown)
         return QPointF(self.axis.x_of(time), _y_of(weight, row))
+
+    def _places(self, curve: ShownCurve, row: QRectF, times: Float64Array) -> Float64Array:
+        """Return the pixels at which a curve is at some times, shape (n_times, 2)."""
+        return np.stack([self.axis.x_of(times), _y_of(np.interp(times, curve.times, curve.shown), row)], axis=1)
 
     # -- painting -----------------------------------------------------------------------------------------
 
     @override
     def paintEvent(self, _event: QPaintEvent) -> None:
+        """Paint the rows, each of which is drawn once until something in it is different, and the playhead."""
         painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), QColor(self._theme.base))
         if self.keys.animation is None:
             words = tr("Open a recording to edit its keys") if not self.keys.possible else tr("Generating curves…")
             draw_text(painter, QRectF(self.rect()), words, self._theme.faint, 12, CENTRED)
             return
-        for shape, row in self.rows().items():
-            self._paint_row(painter, shape, row)
-        x = self.axis.x_of(self._playhead)
+        rows, axis, scale = self.rows(), self.axis, self.devicePixelRatioF()
+        self._pictures = {shape: known for shape, known in self._pictures.items() if shape in rows}
+        for shape, row in rows.items():
+            shown = _Painted(self.keys.curve_of(shape), *self._chosen_in(shape), axis, row, scale)
+            if shape not in self._pictures or self._pictures[shape][0] != shown:
+                self._pictures[shape] = shown, self._drawn(shape, shown)
+            painter.drawPixmap(QPointF(0, row.top()), self._pictures[shape][1])
+        x = axis.x_of(self._playhead)
         if x >= LEFT:
             painter.fillRect(QRectF(x - 0.5, 0, 1.5, self.height()), QColor(self._theme.accent))
 
-    def _paint_row(self, painter: QPainter, shape: str, row: QRectF) -> None:
+    def _drawn(self, shape: str, shown: _Painted) -> QPixmap:
+        picture = QPixmap(math.ceil(self.width() * shown.scale), math.ceil((shown.row.height() + 1) * shown.scale))
+        picture.setDevicePixelRatio(shown.scale)
+        picture.fill(QColor(self._theme.base))
+        painter = QPainter(picture)
+        painter.setFont(self.font())
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.translate(0, -shown.row.top())
+        try:
+            self._paint_row(painter, shape, shown)
+        finally:
+            painter.end()  # whatever went wrong: Qt crashes where two paint one picture
+        return picture
+
+    def _paint_row(self, painter: QPainter, shape: str, shown: _Painted) -> None:
+        row, curve, marked = shown.row, shown.curve, shown.marked
         painter.setPen(QPen(QColor(self._theme.line), 1))
         painter.drawLine(row.bottomLeft(), row.bottomRight())
         for k, part in enumerate(_in_two_lines(shape)):
             draw_text(painter, QRectF(3, row.top() + 2 + 12 * k, LEFT - 5, 12), part, self._theme.text, 10, AT_LEFT)
-        curve = self._shown(shape)
         if curve is None:
             words = tr("The mouth table does not move {shape}").format(shape=shape)
             draw_text(painter, row, words, self._theme.faint, 11, CENTRED)
             return
-        marked = self.marked
-        if marked is not None and marked.shape == shape:
-            marked = marked.ordered
-            left, right = self.axis.x_of(marked.start), self.axis.x_of(marked.end)
+        if marked is not None:
+            left, right = shown.axis.x_of(marked.ordered.start), shown.axis.x_of(marked.ordered.end)
             ground = QColor(self._theme.accent)
             ground.setAlpha(50)
             painter.fillRect(QRectF(left, row.top(), right - left, row.height()), ground)
         painter.setClipRect(row)
         if len(curve.keys.times):
             painter.setPen(QPen(QColor(self._theme.faint), 1, Qt.PenStyle.DashLine))
-            painter.drawPolyline(self._polygon(row, curve.times, curve.generated))
+            self._paint_line(painter, row, curve.times, curve.generated)
         painter.setPen(QPen(QColor(self._theme.signal), 1.5))
-        painter.drawPolyline(self._polygon(row, curve.times, curve.shown))
-        edited = set(curve.keys.times.tolist())
-        for time in self._visible_points(curve):
-            chosen = self.selected is not None and (self.selected.shape, self.selected.time) == (shape, time)
-            colour = self._theme.accent if chosen else self._theme.text if time in edited else self._theme.faint
+        self._paint_line(painter, row, curve.times, curve.shown)
+        times, held = self._visible_points(curve), shown.selected
+        edited, places = np.isin(times, curve.keys.times), self._places(curve, row, times)
+        for time, x, y, is_key in np.column_stack([times, places, edited]).tolist():
+            chosen = held is not None and held.time == time
+            colour = self._theme.accent if chosen else self._theme.text if is_key else self._theme.faint
             dot = DOT + chosen
-            place = self.place_of(shape, time)
-            painter.fillRect(QRectF(place.x() - dot, place.y() - dot, 2 * dot, 2 * dot), QColor(colour))
-        painter.setClipping(False)
+            painter.fillRect(QRectF(x - dot, y - dot, 2 * dot, 2 * dot), QColor(colour))
 
-    def _polygon(self, row: QRectF, times: Float64Array, weights: Any) -> QPolygonF:
+    def _paint_line(self, painter: QPainter, row: QRectF, times: Float64Array, weights: Any) -> None:
         axis = self.axis
         seen = (times >= axis.start - 0.1) & (times <= axis.end + 0.1)
-        x, y = axis.left + (times[seen] - axis.start) / axis.seconds * axis.width, weights[seen]
-        heights = row.bottom() - MARGIN - np.clip(y, 0, 1) * (row.height() - 2 * MARGIN)
-        return QPolygonF([QPointF(a, b) for a, b in zip(x.tolist(), heights.tolist(), strict=True)])
+        painter.drawPolyline(polyline_of(axis.x_of(times[seen]), _y_of(weights[seen], row)))
 
-    def _visible_points(self, curve: ShownCurve) -> list[float]:
-        """Return the keys that are seen, as far as they can be told apart."""
-        axis, times = self.axis, curve.points()
+    def _visible_points(self, curve: ShownCurve) -> Float64Array:
+        """Return the keys that are seen, as far as they can be told apart; seconds."""
+        axis = self.axis
         shown: list[float] = []
         least = LEAST_PIXELS * axis.seconds / axis.width
-        for time in times[(times >= axis.start) & (times <= axis.end)].tolist():
+        for time in curve.points(axis.start, axis.end).tolist():
             if not shown or time - shown[-1] >= least:
                 shown.append(time)
-        return shown
+        return np.array(shown)
 
     # -- the user's hand ----------------------------------------------------------------------------------
 
@@ -248,7 +281,7 @@ class KeyLanes(QWidget):
         """Add a key where there is none."""
         place = event.position()
         shape = self._shape_at(place)
-        curve = None if shape is None else self._shown(shape)
+        curve = None if shape is None else self.keys.curve_of(shape)
         if shape is not None and curve is not None and self._key_at(shape, place) is None:
             self._set(shape, curve, self.axis.time_at(place.x()), _weight_at(place.y(), self.rows()[shape]))
 
@@ -290,11 +323,11 @@ class KeyLanes(QWidget):
         shape = self._shape_at(QPointF(event.pos()))
         if event.reason() is QContextMenuEvent.Reason.Keyboard:
             shape = self.marked.shape if self.marked is not None else self._curve_in_hand()
-        if shape is None or self._shown(shape) is None:
+        if shape is None or self.keys.curve_of(shape) is None:
             return
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        marked = self.marked is not None and self.marked.shape == shape
+        marked = self._chosen_in(shape)[1] is not None
         menu.addAction(tr("Delete Key"), self.delete).setEnabled(self.selected is not None)
         menu.addSeparator()
         menu.addAction(tr("Smooth Range"), self.smooth).setEnabled(marked)
@@ -308,7 +341,7 @@ class KeyLanes(QWidget):
     def delete(self) -> None:
         """Delete the selected key: the curve goes straight from the key before to the key after."""
         held = self.selected
-        curve = None if held is None else self._shown(held.shape)
+        curve = None if held is None else self.keys.curve_of(held.shape)
         if held is not None and curve is not None and held.before < held.time < held.after:
             self.selected = None
             self.keys.edit(held.shape, curve.without_point(held.before, held.after), tr("delete a key"))
@@ -327,7 +360,7 @@ class KeyLanes(QWidget):
 
     def _edit_range(self, what: str, edited: Callable[[ShownCurve, float, float], KeyCurve]) -> None:
         marked = None if self.marked is None else self.marked.ordered
-        curve = None if marked is None else self._shown(marked.shape)
+        curve = None if marked is None else self.keys.curve_of(marked.shape)
         if marked is None or curve is None:
             return
         start, end = max(marked.start, 0.0), min(marked.end, float(curve.times[-1]))
@@ -346,7 +379,7 @@ class KeyLanes(QWidget):
         held = self.selected
         if held is None and weight:
             self.raise_by(weight)
-        curve = None if held is None else self._shown(held.shape)
+        curve = None if held is None else self.keys.curve_of(held.shape)
         if held is None or curve is None or not held.before < held.time < held.after:
             return
         now = float(np.interp(held.time, curve.times, curve.shown))
@@ -369,7 +402,7 @@ class KeyLanes(QWidget):
 
     def _take_key(self, shape: str, here: float, wanted: Callable[[Float64Array], Any]) -> None:
         """Select that key of a curve nearest to a time whose distance from it is wanted."""
-        curve = self._shown(shape) if shape else None
+        curve = self.keys.curve_of(shape) if shape else None
         points = np.zeros(0) if curve is None else curve.points()
         others = points[wanted(points - here)]
         if len(others):
@@ -388,7 +421,7 @@ class KeyLanes(QWidget):
     def _mark(self, seconds: float) -> None:
         """Mark a range from the selected key on, or from where the sound is, or move the end of the one there is."""
         shape = self._curve_in_hand()
-        curve = self._shown(shape) if shape else None
+        curve = self.keys.curve_of(shape) if shape else None
         if curve is None:
             return
         start = self._playhead if self.selected is None else self.selected.time
@@ -406,7 +439,6 @@ class KeyLanes(QWidget):
         keys = curve.with_point(time, _weight_at(y, self.rows()[held.shape]), held.before, held.after)
         self.keys.put(self.keys.layer.with_curve(held.shape, keys))
         self.selected = replace(held, time=time)
-        self.update()
 
     def _within(self, held: HeldKey, time: float) -> float:
         """Return a time between the neighbours of a key, on a frame of the animation."""
@@ -415,36 +447,34 @@ class KeyLanes(QWidget):
         least = 0.5 / rate
         return min(max(frame, held.before + least), held.after - least)
 
-    def _shown(self, shape: str) -> ShownCurve | None:
-        return self.keys.curve_of(shape)
-
     def _shape_at(self, place: QPointF) -> str | None:
         return next((shape for shape, row in self.rows().items() if row.contains(place)), None)
 
     def _key_at(self, shape: str, place: QPointF) -> HeldKey | None:
         """Return the key that lies at a pixel; None for none."""
-        curve = self._shown(shape)
+        curve = self.keys.curve_of(shape)
         if curve is None:
             return None
-        places = {time: self.place_of(shape, time) for time in self._visible_points(curve)}
-        apart = {time: abs(at.x() - place.x()) + abs(at.y() - place.y()) for time, at in places.items()}
-        nearest = min(apart, key=lambda time: apart[time], default=None)
-        if nearest is None or apart[nearest] > 2 * NEAR:
+        times = self._visible_points(curve)
+        apart = np.abs(self._places(curve, self.rows()[shape], times) - place.toTuple()).sum(axis=1)
+        if not len(apart) or apart.min() > 2 * NEAR:
             return None
-        return self._held(shape, curve.points(), nearest)
+        return self._held(shape, curve.points(), float(times[np.argmin(apart)]))
 
     def _held(self, shape: str, points: Float64Array, time: float) -> HeldKey:
-        before, after = points[points < time], points[points > time]
-        return HeldKey(
-            shape, time, float(before[-1]) if len(before) else time, float(after[0]) if len(after) else time
-        )
+        around = (*points[points < time][-1:].tolist(), time), (*points[points > time][:1].tolist(), time)
+        return HeldKey(shape, time, around[0][0], around[1][0])
+
+    def _chosen_in(self, *shapes: str) -> tuple[HeldKey | None, MarkedRange | None]:
+        """Return the selected key and the marked range, as far as they are in these curves."""
+        key, marked = self.selected, self.marked
+        return key if key and key.shape in shapes else None, marked if marked and marked.shape in shapes else None
 
     def _take_change(self) -> None:
-        if self.selected is not None and self.selected.shape not in self.keys.shapes:
-            self.selected = None
-        if self.marked is not None and self.marked.shape not in self.keys.shapes:
-            self.marked = None
-        self.updateGeometry()
+        self.selected, self.marked = self._chosen_in(*self.keys.shapes)
+        if self.keys.shapes != self._laid_out:
+            self._laid_out = self.keys.shapes
+            self.updateGeometry()
         self.update()
 
 
@@ -453,8 +483,8 @@ def _goes_along(event: QKeyEvent) -> bool:
     return event.key() in {Qt.Key.Key_Left, Qt.Key.Key_Right} and event.modifiers() in PLAIN
 
 
-def _y_of(weight: float, row: QRectF) -> float:
-    return row.bottom() - MARGIN - min(max(weight, 0.0), 1.0) * (row.height() - 2 * MARGIN)
+def _y_of(weight: Any, row: QRectF) -> Any:
+    return row.bottom() - MARGIN - np.clip(weight, 0.0, 1.0) * (row.height() - 2 * MARGIN)
 
 
 def _weight_at(y: float, row: QRectF) -> float:

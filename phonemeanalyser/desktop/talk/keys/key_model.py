@@ -9,6 +9,7 @@ import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.program_folder import outside_program
 from phonemeanalyser.desktop.session.export_kinds import FaceInUse
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
@@ -156,10 +157,10 @@ class KeyModel(QObject):
             self._push(NO_KEYS, tr("delete all keys"))
 
     def save(self) -> bool:
-        """Write the keys beside the sound; says whether that went well."""
+        """Write the keys beside the sound, those of the demo to Documents; says whether that went well."""
         if self.sound is None:
             return False
-        path = keys_beside(self.sound)
+        path = outside_program(keys_beside(self.sound), make_folder=True)
         try:
             write_keys(self.layer, path)
         except EngineError as error:
@@ -186,9 +187,10 @@ class KeyModel(QObject):
         self.sound, self.animation = sound, None
         self._curves.clear()
         self.layer = self._saved = NO_KEYS
-        if sound is not None and keys_beside(sound).is_file():
+        path = None if sound is None else outside_program(keys_beside(sound))
+        if path is not None and path.is_file():
             try:
-                self.layer = self._saved = read_keys(keys_beside(sound))
+                self.layer = self._saved = read_keys(path)
             except EngineError as error:
                 self.error.emit(str(error))
         self.changed.emit()

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.program_folder import outside_program
 from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice
 from phonemeengine.alignment.align import align_analyses, align_word
 from phonemeengine.analyser import Analysis, analyse_file
@@ -197,7 +198,7 @@ def words_beside(sound: Path, duration: float) -> FoundWords:
     ------
     EngineError : a file there cannot be read, or its labels are of no use.
     """
-    script, labels = script_beside(sound), sound.with_suffix(LABELS)
+    script, labels = script_beside(sound), outside_program(sound).with_suffix(LABELS)
     text = script.text if script is not None else ""
     if not labels.is_file():
         return FoundWords(None, text)

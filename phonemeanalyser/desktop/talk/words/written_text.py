@@ -8,6 +8,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.program_folder import in_program
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.text.language_guess import guess_language
 from phonemeengine.text.pronunciation import MARKS
@@ -16,8 +17,6 @@ MOST_SOUNDS, MOST_LANGUAGES = 50, 5
 """Sounds whose texts are remembered, and languages that are offered first, because they were chosen last."""
 MOST_REMEMBERED = 200_000
 """Characters of all texts that are remembered."""
-PROGRAM = Path(__file__).resolve().parents[3]
-"""Where the program's own recordings are."""
 _DIRECTION = re.compile(r"\[[^\[\]\n]*\]")
 
 
@@ -113,7 +112,7 @@ class WrittenText(QObject):
         begin, and no file of the user's: what was typed in its place is remembered, and never saved there.
         """
         text, language = self.remembered.get(str(self.sound or ""), ("", ""))
-        if self.sound is not None and self.sound.resolve().is_relative_to(PROGRAM):
+        if self.sound is not None and in_program(self.sound):
             found, text, self._in_file = "", text or found, ""
         else:
             self._in_file = found
