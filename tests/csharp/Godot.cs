@@ -1,4 +1,5 @@
-// What the shipped nodes use of Godot, and of .NET where Mono lacks it, to compile them against.
+// What the shipped nodes use of Godot, and of .NET where Mono lacks it, to compile them against; and as much at
+// work as PlayGodot.cs needs.
 
 using System;
 using System.Reflection;
@@ -19,7 +20,8 @@ namespace Godot
     public class Node : GodotObject
     {
         public string Name = "";
-        public void SetProcess(bool enable) { }
+        public bool IsProcessing = true;
+        public void SetProcess(bool enable) => IsProcessing = enable;
         public virtual void _Ready() { }
         public virtual void _ExitTree() { }
         public virtual void _Process(double delta) { }
@@ -27,8 +29,10 @@ namespace Godot
 
     public class MeshInstance3D : Node
     {
-        public int FindBlendShapeByName(string name) => -1;
-        public void SetBlendShapeValue(int index, float value) { }
+        public string[] Shapes = new string[0];
+        public readonly float[] Weights = new float[4];
+        public int FindBlendShapeByName(string name) => Array.IndexOf(Shapes, name);
+        public void SetBlendShapeValue(int index, float value) => Weights[index] = value;
     }
 
     public class SpriteFrames : GodotObject { public bool HasAnimation(string name) => false; }
@@ -37,23 +41,29 @@ namespace Godot
 
     public class AudioEffectCapture : AudioEffect
     {
-        public int GetFramesAvailable() => 0;
-        public Vector2[] GetBuffer(int frames) => null;
+        public Vector2[] Waiting = new Vector2[0];
+        public int GetFramesAvailable() => Waiting.Length;
+        public Vector2[] GetBuffer(int frames) => Waiting;
     }
 
     public static class AudioServer
     {
-        public static int GetBusIndex(string name) => -1;
-        public static int GetBusEffectCount(int bus) => 0;
-        public static AudioEffect GetBusEffect(int bus, int effect) => null;
+        public static AudioEffectCapture Capture; // of the only bus
+        public static int GetBusIndex(string name) => name == "Voice" ? 0 : -1;
+        public static int GetBusEffectCount(int bus) => 1;
+        public static AudioEffect GetBusEffect(int bus, int effect) => Capture;
         public static float GetMixRate() => 44100;
     }
 
-    public static class FileAccess { public static byte[] GetFileAsBytes(string path) => new byte[0]; }
+    public static class FileAccess { public static byte[] GetFileAsBytes(string path) => System.IO.File.ReadAllBytes(path); }
     public static class Mathf { public static int Min(int a, int b) => Math.Min(a, b); }
     public static class OS { public static string GetName() => ""; public static string GetExecutablePath() => ""; }
     public static class ProjectSettings { public static string GlobalizePath(string path) => path; }
-    public static class GD { public static void PushError(string words) { } public static void PushWarning(string words) { } }
+    public static class GD
+    {
+        public static void PushError(string words) => Console.Error.WriteLine($"Error: {words}");
+        public static void PushWarning(string words) => Console.Error.WriteLine($"Warning: {words}");
+    }
 }
 
 namespace System.Runtime.InteropServices

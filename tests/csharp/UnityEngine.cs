@@ -1,7 +1,8 @@
-// What the shipped components use of Unity, to compile them against.
+// What the shipped components use of Unity, to compile them against; and as much at work as PlayUnity.cs needs.
 
 using System;
 using System.Collections.Generic;
+using System.Reflection;
 
 namespace UnityEngine
 {
@@ -15,16 +16,48 @@ namespace UnityEngine
     }
     public class Transform : Component { public Transform root; }
     public class GameObject : Object { public T AddComponent<T>() where T : Component => default(T); }
-    public class Behaviour : Component { public bool enabled; }
+    public class Behaviour : Component
+    {
+        private bool isEnabled = true;
+        public bool enabled
+        {
+            get => isEnabled;
+            set
+            {
+                if (isEnabled && !value)
+                    Call("OnDisable");
+                isEnabled = value;
+            }
+        }
+
+        public void Call(string name)
+        {
+            for (var type = GetType(); type != null; type = type.BaseType)
+            {
+                var found = type.GetMethod(name, BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.DeclaredOnly);
+                if (found == null)
+                    continue;
+                found.Invoke(this, null);
+                return;
+            }
+        }
+    }
+
     public class MonoBehaviour : Behaviour { }
     public class ScriptableObject : Object { }
     public class AudioClip : Object
     {
         public int channels, frequency, samples;
-        public bool GetData(float[] data, int offsetSamples) => true;
+        public float[] content;
+        public bool GetData(float[] data, int offsetSamples)
+        {
+            for (var k = 0; k < data.Length; k++)
+                data[k] = content[(offsetSamples + k) % samples];
+            return true;
+        }
     }
     public class AudioSource : Behaviour { public AudioClip clip; public int timeSamples; }
-    public class TextAsset : Object { public byte[] bytes => null; public string text => ""; }
+    public class TextAsset : Object { public byte[] content; public byte[] bytes => content; public string text => ""; }
     public class Sprite : Object { }
     public class SpriteRenderer : Component { public Sprite sprite; }
     public struct Vector2 { }
@@ -34,31 +67,36 @@ namespace UnityEngine
 
     public class Mesh : Object
     {
-        public int blendShapeCount => 0;
-        public string GetBlendShapeName(int shapeIndex) => "";
+        public string[] shapes = new string[0];
+        public int blendShapeCount => shapes.Length;
+        public string GetBlendShapeName(int shapeIndex) => shapes[shapeIndex];
     }
 
     public class SkinnedMeshRenderer : Component
     {
         public Mesh sharedMesh;
-        public void SetBlendShapeWeight(int index, float value) { }
+        public readonly float[] weights = new float[4];
+        public void SetBlendShapeWeight(int index, float value) => weights[index] = value;
     }
 
     public static class AudioSettings
     {
         public delegate void AudioConfigurationChangeHandler(bool deviceWasChanged);
         public static event AudioConfigurationChangeHandler OnAudioConfigurationChanged { add { } remove { } }
-        public static int outputSampleRate => 48000;
+        public static int outputSampleRate => 44100;
         public static void GetDSPBufferSize(out int bufferLength, out int numBuffers) { bufferLength = 1024; numBuffers = 4; }
     }
 
     public static class Microphone
     {
-        public static string[] devices => new string[0];
-        public static AudioClip Start(string deviceName, bool loop, int lengthSec, int frequency) => null;
-        public static void End(string deviceName) { }
-        public static bool IsRecording(string deviceName) => false;
-        public static int GetPosition(string deviceName) => 0;
+        public static AudioClip clip; // of the only one there is; null without one
+        public static bool isTaken, hasEnded;
+        public static int position;
+        public static string[] devices => clip == null ? new string[0] : new[] { "one" };
+        public static AudioClip Start(string deviceName, bool loop, int lengthSec, int frequency) => clip;
+        public static void End(string deviceName) => hasEnded = true;
+        public static bool IsRecording(string deviceName) => !isTaken;
+        public static int GetPosition(string deviceName) => position;
     }
 
     public static class JsonUtility { public static T FromJson<T>(string json) => default(T); }
@@ -66,8 +104,8 @@ namespace UnityEngine
 
     public static class Debug
     {
-        public static void LogError(object message, Object context) { }
-        public static void LogWarning(object message, Object context) { }
+        public static void LogError(object message, Object context) => Console.Error.WriteLine($"Error: {message}");
+        public static void LogWarning(object message, Object context) => Console.Error.WriteLine($"Warning: {message}");
     }
 
     public sealed class RequireComponent : Attribute { public RequireComponent(Type type) { } }

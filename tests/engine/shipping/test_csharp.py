@@ -5,6 +5,7 @@ import re
 import shutil
 import struct
 import subprocess
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,7 @@ from phonemeengine.shipping.unity_package import package_files
 from tests.compiled_ears import SOURCES, Frames
 from tests.compiled_ears import compiled as compiled_library
 from tests.engine.shipping.test_same_results import check_same, recognised_by_engine, speech
+from tests.sounds import Sound
 from tests.web_ears import ROW, frames_of
 
 pytestmark = pytest.mark.csharp
@@ -53,12 +55,12 @@ def listen(folder: Path, tmp_path: Path, preset: Path) -> "subprocess.CompletedP
     return in_mono(program, library, str(preset), "44100")
 
 
-def in_mono(program: Path, library: Path, *words: str) -> "subprocess.CompletedProcess[bytes]":
+def in_mono(program: Path, library: Path, *words: str, sound: Sound = SOUND) -> "subprocess.CompletedProcess[bytes]":
     """Run a program that finds the ear's library."""
     environment = {**os.environ, "LD_LIBRARY_PATH": str(library.parent)}
     command = ["mono", str(program), *words]
-    sound, where = SOUND.tobytes(), program.parent  # where Mono writes what it knows of a crash
-    return subprocess.run(command, input=sound, capture_output=True, env=environment, cwd=where, check=False)
+    heard, where = sound.tobytes(), program.parent  # where Mono writes what it knows of a crash
+    return subprocess.run(command, input=heard, capture_output=True, env=environment, cwd=where, check=False)
 
 
 def native_library() -> Path:
@@ -96,6 +98,70 @@ def test_the_components_compile(folder: Path, tmp_path: Path) -> None:
     stand_ins = OURS / ("UnityEngine.cs" if is_unity else "Godot.cs")
     for system in ("UNITY_EDITOR", "UNITY_WEBGL"):
         compiled(tmp_path / "components.dll", [stand_ins, *folder.rglob("*.cs")], f"-define:{system}")
+
+
+SHAPES = ("jawOpen", "mouthClose", "mouthFunnel", "Smile")
+GONE = "Error: Actor: the microphone was taken away; connect it, and switch the component on again"
+COMPONENTS = {
+    "Unity": [
+        SHIPPING / "unity" / "Runtime" / name for name in ("EarListener.cs", "TalkingFace.cs", "FrameQueue.cs")
+    ],
+    "Godot": [SHIPPING / "godot" / name for name in ("EarListener.cs", "TalkingFace.cs", "EarLibrary.cs")],
+}
+
+
+@pytest.fixture(scope="module", params=["Unity", "Godot"])
+def player(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A program that plays an engine's side, beside the library."""
+    program = tmp_path_factory.mktemp("player") / f"Play{request.param}.exe"
+    shutil.copy(native_library(), program.parent)
+    stand_ins = OURS / {"Unity": "UnityEngine.cs", "Godot": "Godot.cs"}[request.param]
+    ours = OURS / f"{program.stem}.cs", stand_ins, SHIPPING / "csharp" / "Ear.cs"
+    compiled(program, [*ours, *COMPONENTS[request.param]])
+    return program
+
+
+def played(
+    player: Path, content: bytes, *, shapes: Sequence[str] = SHAPES, sound: Sound = SOUND
+) -> tuple[Sound, str]:
+    (player.parent / "preset").write_bytes(content)
+    words = str(player.parent / "preset"), "44100", ",".join(shapes)
+    done = in_mono(player, player.parent / "libear.so", *words, sound=sound)
+    assert done.returncode == 0, done.stderr.decode()
+    return np.frombuffer(done.stdout).reshape(-1, len(SHAPES)), done.stderr.decode().strip()
+
+
+def test_a_face_follows_a_microphone_until_it_is_taken_away(player: Path) -> None:
+    moved, said = played(player, format_ear(load_preset("learned")))
+    analysis = recognised_by_engine(load_preset("learned"), SOUND)
+    table, morpher, expected = load_table("arkit"), Morpher(load_table("arkit"), seed=1), []
+    columns = [table.movestates.index(name) for name in SHAPES[:3]]
+    for k, phone in enumerate(analysis.viseme_phones):
+        morpher.add(k / 100, Phoneme(analysis.phonemes[k]), float(analysis.intensities[k]), phone)
+        expected.append(morpher.weights(k / 100)[columns])
+    is_unity = player.stem == "PlayUnity"
+    # A picture shows what came before it, or with it; its window ends later, and the network looks ahead.
+    late, whole, n = (4, 100, len(expected) - 4) if is_unity else (3, 1, len(expected) - 4)
+    np.testing.assert_allclose(moved[late : late + n, :3] / whole, expected[:n], atol=1e-3)
+    assert moved.max() > 0.3 * whole
+    assert said == (GONE if is_unity else "")  # in Godot a bus without its microphone is silent
+    assert moved[-1, 0] < 0.01 * whole  # and the jaw shuts
+
+
+@pytest.mark.parametrize(
+    ("case", "words"),
+    [
+        ("none", "Error: Actor: there is no (microphone; connect one|bus Voice with the effect Capture; add them)"),
+        ("bare", "Warning: Head: it has no blend shape of the table arkit, such as eyeBlinkLeft"),
+        ("newer", "Error: Actor: this .ear file is of a newer version"),
+    ],
+)
+def test_what_a_face_cannot_do_is_a_sentence(case: str, words: str, player: Path) -> None:
+    content = format_ear(load_preset("thesis"))
+    if case == "newer":
+        content = content[:4] + b"\4\0\0\0" + content[8:]
+    shapes, sound = (["Smile"] if case == "bare" else SHAPES), (SOUND[:0] if case == "none" else SOUND[:4410])
+    assert re.match(words, played(player, content, shapes=shapes, sound=sound)[1])
 
 
 def test_the_window_guesses_blend_shapes_by_what_programs_call_them(tmp_path: Path) -> None:

@@ -69,7 +69,10 @@ namespace PhonemeEar
 
         protected override void End()
         {
-            mouth?.Dispose();
+            if (mouth == null)
+                return;
+            Move(0); // or the mouth would stay as it was
+            mouth.Dispose();
             mouth = null;
         }
 
@@ -81,10 +84,15 @@ namespace PhonemeEar
             if (mouth == null)
                 return;
             mouth.Weights(Newest.Time, weights);
+            Move(strength);
+        }
+
+        private void Move(float whole)
+        {
             for (var k = 0; k < moved.Count; k++)
                 for (var state = 0; state < weights.Length; state++)
                     if (targets[k][state] >= 0 && moved[k])
-                        moved[k].SetBlendShapeWeight(targets[k][state], strength * weights[state]);
+                        moved[k].SetBlendShapeWeight(targets[k][state], whole * weights[state]);
         }
     }
 }
