@@ -42,6 +42,9 @@ def test_marks_and_emphasis_count():
     assert value("That is good!", "en") > plain
     assert value("That is *good*.", "en") > plain
     assert value("That is GOOD.", "en") > plain
+    emphasised = '<prosody rate="slow">That is <emphasis level="strong">good</emphasis>.</prosody>'
+    assert value(emphasised, "en") == value("That is *good*.", "en")
+    assert value('That is <emphasis level="reduced">good</emphasis>.', "en") == plain
     assert value("That is really good.", "en") > plain
 
 
@@ -54,6 +57,7 @@ def test_marks_and_emphasis_count():
         ("Oh 😢 no", [{}, {"sorrow": 0.6}]),
         ('<express-as style="sad" styledegree="1">Oh.</express-as> Well.', [{"sorrow": 0.5}, {}]),
         ('<amazon:emotion name="excited" intensity="high">Oh.</amazon:emotion>', [{"smile": 1.0}, {}]),
+        ("[wütend 0.6] Gut, [高兴] gut.", [{"anger": 0.6}, {"smile": 1.0}]),
         ("[opens the door] Well.", [{}]),
     ],
 )

@@ -65,7 +65,7 @@ class UtteranceSpool(Closing):
         """Add the next word."""
         self._tiers[WORDS].add(word.start, word.end, word.text)
         for syllable in word.syllables:
-            self._tiers[SYLLABLES].add(syllable.start, syllable.end, syllable.text or _spelt(syllable))
+            self._tiers[SYLLABLES].add(syllable.start, syllable.end, syllable.text or ipa_of_syllable(syllable))
         for phone in word.phones:
             self._tiers[PHONES].add(phone.start, phone.end, phone.ipa or phone.phoneme.label)
             self._tiers[PHONEMES].add(phone.start, phone.end, phone.phoneme.label)
@@ -235,11 +235,11 @@ def _words_of(phones: Sequence[Phone], words: _Stretches, syllables: _Stretches)
 def _syllables_of(said: Iterable[_Owned]) -> Iterator[Syllable]:
     for raw, part in groupby(said, lambda one: one.syllable):
         syllable = Syllable(tuple(one.phone for one in part), _stress_in(raw.name) if raw else 0)
-        written = raw is not None and raw.name != _spelt(syllable)
+        written = raw is not None and raw.name != ipa_of_syllable(syllable)
         yield replace(syllable, text=raw.name) if written else syllable
 
 
-def _spelt(syllable: Syllable) -> str:
+def ipa_of_syllable(syllable: Syllable) -> str:
     """Return a syllable in the IPA, with its stress."""
     return STRESS_MARKS[syllable.stress] + "".join(phone.ipa or phone.phoneme.label for phone in syllable.phones)
 

@@ -31,6 +31,8 @@ _STYLE = re.compile(
 _ATTRIBUTE = re.compile(r"(style|name|styledegree|intensity)\s*=\s*[\"']([^\"']{1,30})[\"']", re.IGNORECASE)
 _INTENSITIES = {"low": 0.3, "medium": 0.6, "high": 1.0}
 _ENTRY = re.compile(r"([^\W\d_]+)(?:\s+(\S+))?")
+_EMPHASIS = re.compile(r"<emphasis\b(?![^<>]*\b(?:none|reduced)\b)[^<>]{0,60}>", re.IGNORECASE)
+_TAG = re.compile(r"<[^<>]{1,200}>")
 _WORD = re.compile(r"(?P<mark>[*_]{1,2})?(?P<word>[^\W\d_]+(?:['’][^\W\d_]+)?)")
 _HAN = re.compile("[\u3400-\u9fff]+")
 
@@ -238,7 +240,7 @@ def _checked(directions: list[FeltPassage], text: str) -> list[FeltPassage]:
 
 
 def _value_of(sentence: str, words: FeelingWords) -> float:
-    spoken = _BRACKET.sub(" ", sentence)
+    spoken = _TAG.sub(" ", _EMPHASIS.sub("*", _BRACKET.sub(" ", sentence)))
     tokens = [*_tokens_of(spoken, words)]
     total, turned, more = 0.0, 0, 1.0
     for mark, word in tokens:

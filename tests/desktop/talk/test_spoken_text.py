@@ -12,11 +12,12 @@ from phonemeanalyser.desktop.session.preset import PresetDocument
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET
 from phonemeanalyser.desktop.talk.words.sound_words import KnownWords
+from phonemeanalyser.desktop.talk.words.spoken_lanes import lanes_of
 from phonemeanalyser.desktop.talk.words.text_model import TextTools
 from phonemeanalyser.desktop.talk.words.voice_model import FASTEST, VoiceModel
 from phonemeengine.errors import VoiceError
 from phonemeengine.labels.files import read_labels
-from phonemeengine.labels.utterance import LabelUnit, Utterance, spans_of
+from phonemeengine.labels.utterance import LabelUnit, Phone, Syllable, Utterance, Word, spans_of
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.phonemes import Phoneme
@@ -318,3 +319,9 @@ def test_a_lexicon_with_nonsense_is_refused(desk, tmp_path):
     desk.wait()
     assert "mine.csv" in desk.failed[0]
     assert desk.texts.lexicon_path is None
+
+
+def test_syllables_are_named_with_their_stress() -> None:
+    said = (Syllable((Phone(0.1 * k, 0.1 * k + 0.1, "a", Phoneme.A),), stress) for k, stress in enumerate((1, 0, 2)))
+    lanes = lanes_of(Utterance((Word("aaa", tuple(said)),), 0.3), None, movable=False)
+    assert list(lanes[1].texts) == ["ˈa", "a", "ˌa"]

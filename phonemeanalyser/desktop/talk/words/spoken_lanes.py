@@ -14,6 +14,7 @@ from phonemeanalyser.desktop.theme import PHONEME_COLOURS
 from phonemeanalyser.desktop.widgets.lanes import Lane
 from phonemeengine.arrays import UInt32Array
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
+from phonemeengine.labels.utterance_files import ipa_of_syllable
 from phonemeengine.performance.driver import UsedUnit
 from phonemeengine.performance.units import UnitKind
 from phonemeengine.phonemes import Phoneme
@@ -78,7 +79,7 @@ def lanes_of(utterance: Utterance, letters: PinyinTrack | None, *, movable: bool
 
 def _lane_of_syllables(utterance: Utterance, *, movable: bool) -> Lane:
     syllables = [syllable for word in utterance.words for syllable in word.syllables]
-    texts = [syllable.text or "".join(phone.ipa for phone in syllable.phones) for syllable in syllables]
+    texts = [syllable.text or ipa_of_syllable(syllable) for syllable in syllables]
     return _lane(NAMES[1], syllables, texts, [SYLLABLE_COLOUR] * len(syllables), movable=movable)
 
 
