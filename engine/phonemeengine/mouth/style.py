@@ -479,7 +479,7 @@ def _poses_in(table: StrictTable, usual: PoseTable, movestates: tuple[str, ...])
         return usual
     phones, shapes = dict(usual.phones), dict(usual.shapes)
     for key, entry in table.tables_by_name():
-        name = phone_named(key)
+        name = phone_named(key, table.name)
         pose = usual.entry(name) or Pose(_own_shape(name))
         entry.check_keys(() if pose.shape in shapes else ("shape",), ("shape", "priority", "firm", "width"))
         if "shape" in entry:

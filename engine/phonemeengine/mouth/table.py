@@ -394,15 +394,15 @@ def _phones_of(table: StrictTable) -> dict[str, StrictTable]:
     return entries
 
 
-def phone_named(key: str) -> str:
-    """Return the letter or class that a key of [phones] means, or refuse it."""
+def phone_named(key: str, table: str = "[phones]") -> str:
+    """Return the letter or class that a key of a table of phones means, or refuse it."""
     if key in ARTICULATIONS:
         return key
     letters = letters_of(key)
     if len(letters) != 1 or key not in {letters[0], "g"}:
         known = textwrap.shorten(", ".join(ARTICULATIONS), 120, placeholder=" …")
         raise MouthError(
-            f"[phones] knows no sound {shown(key)}; name a letter of the IPA without marks, or a class: {known}"
+            f"{table} knows no sound {shown(key)}; name a letter of the IPA without marks, or a class: {known}"
         )
     return letters[0]
 

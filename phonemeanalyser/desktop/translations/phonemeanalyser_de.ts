@@ -264,11 +264,6 @@
             <translation>In [phonemes] fehlt {label}; seine Mundform angeben</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/table.py" />
-            <source>[phones] knows no sound {key}; name a letter of the IPA without marks, or a class: {known}</source>
-            <translation>[phones] kennt keinen Laut {key}; IPA-Zeichen ohne Zusätze oder eine Klasse angeben: {known}</translation>
-        </message>
-        <message>
             <location filename="../../../engine/phonemeengine/mouth/poses.py" />
             <source>[phones] says twice what {name} is; remove one</source>
             <translation>[phones] beschreibt {name} zweimal; eins entfernen</translation>
@@ -13723,6 +13718,11 @@
             <location filename="../../../engine/phonemeengine/labels/utterance_edits.py" />
             <source>{strip} is no sound of IPA; write one, such as ə, or delete the phone</source>
             <translation>{strip} ist kein Laut der IPA; einen schreiben, etwa ə, oder das Phon löschen</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/table.py" />
+            <source>{table} knows no sound {key}; name a letter of the IPA without marks, or a class: {known}</source>
+            <translation>{table} kennt keinen Laut {key}; IPA-Zeichen ohne Zusätze oder eine Klasse angeben: {known}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/drivers/performance_model.py" />

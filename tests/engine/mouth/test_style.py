@@ -181,7 +181,7 @@ def test_styles_are_kept_in_files_and_found_by_name(tmp_path, monkeypatch):
         ("[amounts]\nmumbling = 2", "mumbling must be a number in 0..1"),
         ("[amounts]\nwhispering = 1", "cannot have an entry 'whispering'"),
         ("[movement]\nheld = -1", "held must be a number in 0..1"),
-        ("[closures.q9]\nwidth = 1", "knows no sound"),
+        ("[closures.q9]\nwidth = 1", r"\[closures\] knows no sound"),
         ("[closures.t]\nwidth = 1", "lacks shape"),
         ("[closures.p.shape]\nnose = 1", "no movestate"),
         ("[reductions]\nnose = 1", "no blend shape"),
