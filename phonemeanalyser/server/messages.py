@@ -154,7 +154,7 @@ def end(speech: IncomingSpeech) -> str:
     """Return what is said last."""
     told: dict[str, Any] = {"end": round(speech.seconds, 4)}
     told |= {"other_text": True} if speech.is_other_text else {}
-    told |= _recogniser_of(speech) if speech.gave_encoder_up else {}
+    told |= _recogniser_of(speech) if speech.was_without_encoder else {}
     return json.dumps(told | ({"silenced": speech.n_silenced} if speech.n_silenced else {}))
 
 

@@ -142,9 +142,9 @@ class StreamSession:
         self._room.set()
         return np.concatenate(parts) if len(parts) > 1 else parts[0]
 
-    def give_encoder_up(self) -> None:
-        """Go on with the small network alone, and tell the client, unless it gets nothing but events of a service."""
-        self.speech.give_encoder_up()
+    def use_encoder(self, *, on: bool) -> None:
+        """Change the model, and tell the client, unless it gets nothing but events of a service."""
+        self.speech.use_encoder(on=on)
         if not self._start.events:
             self._unsent.put_nowait(messages.recogniser(self.speech))
 

@@ -2,7 +2,6 @@
 
 import asyncio
 import logging
-import sys
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
@@ -24,8 +23,10 @@ HALVED = 32
 cost a third less; a frame comes 20 ms later, of the 40 ms that are left of a tenth of a second."""
 LATE, LATE_FOR = 0.02, 0.3
 """Seconds by which turns begin late, and for which they do, until half of the streams give the real-time model up."""
-ONE_MORE = 60.0
-"""Seconds without such a turn after which one stream more may have it."""
+AT_FIRST = 16
+"""Streams that may have it when the server begins."""
+ONE_MORE, ONE_MORE_LATER = 1.0, 60.0
+"""Seconds without a late turn after which one stream more may have it, before the first late turn and after it."""
 _T = TypeVar("_T")
 _log = logging.getLogger(__name__)
 
@@ -37,8 +38,8 @@ class Stream(Protocol):
     def speech(self) -> IncomingSpeech:
         """What analyses it."""
 
-    def give_encoder_up(self) -> None:
-        """Go on with the small network alone."""
+    def use_encoder(self, *, on: bool) -> None:
+        """Go on with the real-time model, or with the small network alone."""
 
     def next_piece(self) -> Float32Array | None:
         """Return what to analyse now, not much at once; None where nothing waits, or the answers are not taken."""
@@ -54,10 +55,11 @@ class Stream(Protocol):
 
 
 class EncoderQuota:
-    """Says how many streams may have the real-time model: half as many while turns are late, then slowly more.
+    """Says how many streams may have the real-time model: slowly more, and half as many while turns are late.
 
     That is additive increase and multiplicative decrease, as networks share a line (D. Chiu and R. Jain, Computer
-    Networks and ISDN Systems 17(1), 1989).
+    Networks and ISDN Systems 17(1), 1989). It begins with few, since a server that has fallen behind takes long to
+    catch up.
 
     Parameters
     ----------
@@ -65,7 +67,7 @@ class EncoderQuota:
     """
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
-        self._clock, self._most = clock, sys.maxsize
+        self._clock, self._most, self._pause = clock, AT_FIRST, ONE_MORE
         self._late_since: float | None = None
         self._calm_since = clock()
 
@@ -74,14 +76,14 @@ class EncoderQuota:
         now = self._clock()
         if late <= LATE:
             self._late_since = None
-            if now - self._calm_since >= ONE_MORE:
+            if n >= self._most and now - self._calm_since >= self._pause:
                 self._most, self._calm_since = self._most + 1, now
             return self._most
         self._calm_since = now
         if self._late_since is None:
             self._late_since = now
         elif now - self._late_since >= LATE_FOR and n:
-            self._most, self._late_since = n // 2, now
+            self._most, self._pause, self._late_since = n // 2, ONE_MORE_LATER, now
         return self._most
 
 
@@ -91,7 +93,7 @@ class Turns:
     Parameters
     ----------
     looking : seconds of a turn after which no more words are looked for.
-    quota : how many streams may have the real-time model; the newest ones give it up first.
+    quota : how many streams may have the real-time model; the oldest ones have it.
     """
 
     def __init__(self, looking: float = LOOKING, quota: EncoderQuota | None = None) -> None:
@@ -124,8 +126,7 @@ class Turns:
 
     def _take(self) -> None:
         self._is_planned = False
-        if len(self._streams) >= MANY:  # a few that send faster than they speak may well keep it busy
-            self._keep_in_time(asyncio.get_running_loop().time() - self._due)
+        self._share_encoder(asyncio.get_running_loop().time() - self._due)
         is_halved = len(self._streams) >= HALVED
         pieces = self._next_pieces(is_halved) or (self._next_pieces(is_halved) if is_halved else {})
         if not pieces:
@@ -138,14 +139,17 @@ class Turns:
                 _safely(stream, partial(stream.tell, known))
         self._look(pieces)
 
-    def _keep_in_time(self, late: float) -> None:
-        """Have the newest streams give the real-time model up where turns are late."""
-        having = self.with_encoder
-        leaving = having[self._quota.after(late, len(having)) :]
-        if leaving:
-            _log.warning("streams come late: %d of %d go on with the small network", len(leaving), len(having))
-        for stream in leaving:
-            _safely(stream, stream.give_encoder_up)
+    def _share_encoder(self, late: float) -> None:
+        """Give the oldest streams the real-time model, and take it from the newest, as far as turns are in time."""
+        may = [stream for stream in self._streams if stream.speech.may_have_encoder]
+        most = MANY  # a few that send faster than they speak may well keep the server busy
+        if len(self._streams) >= MANY:
+            most = self._quota.after(late, len(self.with_encoder))
+        changed = [stream for k, stream in enumerate(may) if stream.speech.has_encoder is not (k < most)]
+        if changed and late > LATE:
+            _log.warning("turns are late: %d of %d streams have the real-time model", min(most, len(may)), len(may))
+        for stream in changed:
+            _safely(stream, partial(stream.use_encoder, on=not stream.speech.has_encoder))
 
     def _next_pieces(self, is_halved: bool) -> dict[Stream, Float32Array]:
         """Return what waits, of all streams or of the other half than before."""

@@ -8,7 +8,17 @@ import pytest
 
 from phonemeanalyser.server.files import FileTurns
 from phonemeanalyser.server.session import Pace
-from phonemeanalyser.server.turns import HALVED, LATE, LATE_FOR, MANY, ONE_MORE, EncoderQuota, Turns
+from phonemeanalyser.server.turns import (
+    AT_FIRST,
+    HALVED,
+    LATE,
+    LATE_FOR,
+    MANY,
+    ONE_MORE,
+    ONE_MORE_LATER,
+    EncoderQuota,
+    Turns,
+)
 from phonemeengine import EngineError, GrownWords, load_preset, words_of
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import Encoding, StreamFormat
@@ -29,8 +39,8 @@ class Stream:
         self.n_frames = self.n_looks = 0
         self.error: EngineError | None = None
 
-    def give_encoder_up(self) -> None:
-        self.speech.give_encoder_up()
+    def use_encoder(self, *, on: bool) -> None:
+        self.speech.use_encoder(on=on)
 
     def next_piece(self) -> Float32Array | None:
         if self.fault == "piece":
@@ -84,7 +94,7 @@ def test_two_halves_of_many_streams_alternate_and_all_are_heard() -> None:
     assert others == [first, second]
 
 
-def test_half_of_the_streams_give_the_encoder_up_while_turns_are_late_and_slowly_more_may_have_it() -> None:
+def test_slowly_more_streams_may_have_the_encoder_and_half_as_many_while_turns_are_late() -> None:
     now = [0.0]
     quota = EncoderQuota(lambda: now[0])
 
@@ -92,26 +102,40 @@ def test_half_of_the_streams_give_the_encoder_up_while_turns_are_late_and_slowly
         now[0] += seconds
         return quota.after(late, n)
 
-    assert after(0.0, 2 * LATE, 50) >= 50  # once is no load
-    assert after(LATE_FOR, LATE, 50) >= 50
-    assert after(900.0, 2 * LATE, 50) >= 50  # nor is once more
+    few = AT_FIRST - 1
+    assert [after(1.1 * ONE_MORE, LATE, n) for n in (few, few, AT_FIRST, AT_FIRST + 1)] == [
+        *(AT_FIRST, AT_FIRST, AT_FIRST + 1, AT_FIRST + 2)  # no more than can be tried
+    ]
+    assert after(0.0, 2 * LATE, 50) == AT_FIRST + 2  # once is no load
+    assert after(0.0, LATE, 50) == AT_FIRST + 2
+    assert after(900.0, 2 * LATE, 50) == AT_FIRST + 2  # nor is once more
     assert [after(1.1 * LATE_FOR, 2 * LATE, n) for n in (50, 25, 12)] == [25, 12, 6]
     assert after(LATE_FOR / 2, 2 * LATE, 6) == 6  # they have not helped yet
-    assert after(LATE_FOR, LATE, 6) == 6
-    assert [after(ONE_MORE, 0.0, 6) for _ in range(3)] == [7, 8, 9]
+    assert after(2 * ONE_MORE, LATE, 6) == 6
+    assert [after(1.1 * ONE_MORE_LATER, 0.0, n) for n in (6, 7, 8)] == [7, 8, 9]
 
 
-def test_the_newest_streams_give_the_encoder_up_first() -> None:
-    class Few(EncoderQuota):
+def test_the_oldest_streams_have_the_encoder() -> None:
+    class Changing(EncoderQuota):
+        allowed = iter([MANY - 2, MANY - 2, *([MANY - 1] * 100)])
+
         def after(self, late: float, n: int) -> int:
-            return MANY - 2
+            return next(self.allowed)
 
-    streams = [Stream(1) for _ in range(MANY)]
+    known: list[list[bool]] = []
+
+    class Noted(Stream):
+        def tell(self, heard: RecognisedPiece) -> None:
+            super().tell(heard)
+            known.append([stream.speech.has_encoder for stream in streams])
+
+    streams = [Noted(4) for _ in range(MANY)]
     for stream in streams:
         stream.speech = IncomingSpeech(load_preset("learned"), StreamFormat(Encoding.F32))
-    taken(*streams, quota=Few())
-    assert [stream.speech.has_encoder for stream in streams] == (MANY - 2) * [True] + 2 * [False]
-    assert [stream.n_frames > 0 for stream in streams] == MANY * [True]
+    taken(*streams, quota=Changing())
+    assert known[0] == known[2 * MANY - 1] == (MANY - 2) * [True] + 2 * [False]
+    assert known[-1] == (MANY - 1) * [True] + [False]
+    assert {stream.n_frames for stream in streams} <= {36, 37, 38}
 
 
 def test_words_are_looked_for_in_all_streams_while_there_is_little_time() -> None:

@@ -43,7 +43,7 @@ class Load:
     n_missing : frames that were not answered at all.
     share : of a core, which the server took.
     megabytes : of memory that the server held, each second.
-    n_given_up : streams that the server recognised without the real-time model, to keep in time.
+    n_given_up : streams that ended without the real-time model, since the server would fall behind with it.
     held_up : the longest time for which the machine, or its own work, kept the client from looking, seconds.
     """
 
@@ -65,8 +65,8 @@ class Load:
         middle, high, most = (1000 * float(np.quantile(self.late, q)) for q in (0.5, 0.99, 1.0))
         return (
             f"{len(self.late)} frames: median {middle:.0f} ms, p99 {high:.0f} ms, most {most:.0f} ms; "
-            f"{self.n_late} too late, {self.n_missing} missing; {self.n_given_up} streams gave the "
-            f"real-time model up; {self.share:.1%} of a core, "
+            f"{self.n_late} too late, {self.n_missing} missing; {self.n_given_up} streams ended "
+            f"without the real-time model; {self.share:.1%} of a core, "
             f"{self.megabytes[0]:.0f} to {self.megabytes[-1]:.0f} MB; "
             f"the client was held up {1000 * self.held_up:.0f} ms at most"
         )
@@ -173,7 +173,7 @@ async def _beat(lags: list[float]) -> None:
 async def _stream(
     session: aiohttp.ClientSession, address: str, data: bytes, phase: float, seconds: float, start: dict[str, Any]
 ) -> tuple[np.ndarray, int, bool]:
-    """Play into one stream; return the latencies of frames, how many were not answered, and if the model changed."""
+    """Play into one stream; return the latencies of frames, how many had no answer, and if the model changed."""
     n_blocks, size = round(seconds / BLOCK), round(start["rate"] * BLOCK) * 2
     sent, late = np.zeros(n_blocks), []
     async with session.ws_connect(f"{address}/stream", compress=0) as socket:
@@ -190,19 +190,19 @@ async def _stream(
             await socket.send_json({"end": True})
 
         playing = asyncio.create_task(play())
-        n, has_changed = 0, False
+        n, models = 0, [""]
         async for message in socket:
             now, told = time.monotonic(), json.loads(message.data)
             if "error" in told:
                 raise RuntimeError(told["error"])
-            has_changed |= "recogniser" in told
+            models += [told.get("ready", told)["recogniser"]] if {"ready", "recogniser"} & told.keys() else []
             for _ in told.get("phonemes", ()):
                 n += 1
                 block = min(n_blocks - 1, int(np.ceil(n * FRAME_PERIOD / BLOCK - 1e-9)) - 1)
                 late.append(now - sent[block])
         await playing
     first = round(SETTLED / FRAME_PERIOD)
-    return np.array(late[first:]), round(seconds / FRAME_PERIOD) - n, has_changed
+    return np.array(late[first:]), round(seconds / FRAME_PERIOD) - n, models[1] != models[-1]
 
 
 def main() -> None:

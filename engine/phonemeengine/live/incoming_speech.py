@@ -98,7 +98,8 @@ class IncomingSpeech:
     analyser : what analyses it.
     is_foreign : whether a recogniser of another package does.
     n_unlooked : frames in which no words of the text have been looked for yet.
-    gave_encoder_up : whether `give_encoder_up` has changed something.
+    may_have_encoder : whether the preset's real-time model can be used for it.
+    was_without_encoder : whether the small network alone has recognised though another model could have.
     """
 
     def __init__(
@@ -113,7 +114,7 @@ class IncomingSpeech:
     ) -> None:
         self._sound, self._preset = IncomingSound(form), preset
         self.analyser = Analyser(in_time(preset, self._sound.delay), phonemes_only=True)
-        self.gave_encoder_up = False
+        self.may_have_encoder, self.was_without_encoder = self.has_encoder, False
         self.is_foreign = spec_of(preset.recogniser).entry is not None
         self._morpher = Morpher(table) if table is not None else None
         self._aligner = GrowingAligner() if with_text else None
@@ -142,12 +143,14 @@ class IncomingSpeech:
         """Whether the real-time model recognises, with the small network."""
         return self.analyser.preset.model_kind is ModelKind.ENCODER
 
-    def give_encoder_up(self) -> None:
-        """Have the small network alone recognise from the next frame on, which costs a third; no frame is lost."""
-        if self.has_encoder:
-            small = replace(self._preset, live_model=ModelKind.REAL_TIME)
-            self.analyser.set_preset(in_time(small, self._sound.delay))
-            self.gave_encoder_up = True
+    def use_encoder(self, *, on: bool) -> None:
+        """Have the real-time model recognise from the next frame on, or the small network alone, which costs a third.
+
+        No frame is lost. It is for sounds that may have the real-time model.
+        """
+        preset = self._preset if on else replace(self._preset, live_model=ModelKind.REAL_TIME)
+        self.analyser.set_preset(in_time(preset, self._sound.delay))
+        self.was_without_encoder |= not on
 
     @property
     def is_other_text(self) -> bool:

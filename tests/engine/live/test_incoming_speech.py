@@ -72,21 +72,23 @@ def test_many_sounds_are_heard_together_as_alone(voices: list[Sound], name: str)
         np.testing.assert_allclose(one.confidences, other.confidences, atol=1e-3)
 
 
-def test_without_its_encoder_a_sound_goes_on_at_the_next_frame(voices: list[Sound]) -> None:
-    preset, sound = load_preset("learned"), voices[0][:66_150]
+def test_a_sound_goes_on_at_the_next_frame_without_its_encoder_and_with_it_again(voices: list[Sound]) -> None:
+    preset, sound = load_preset("learned"), voices[0][:88_200]
     speech, both, small = (IncomingSpeech(preset, StreamFormat(Encoding.F32)) for _ in range(3))
-    small.give_encoder_up()
-    assert (both.has_encoder, small.has_encoder, small.gave_encoder_up) == (True, False, True)
+    small.use_encoder(on=False)
+    assert (both.has_encoder, small.has_encoder, small.may_have_encoder) == (True, False, True)
     found = [speech.push(sound[:22_050]).analysis]
-    speech.give_encoder_up()
+    speech.use_encoder(on=False)
     assert speech.latency <= both.latency
-    found += [speech.push(sound[22_050:]).analysis, *(rest.analysis for rest in speech.finish())]
+    found.append(speech.push(sound[22_050:66_150]).analysis)
+    speech.use_encoder(on=True)
+    found += [speech.push(sound[66_150:]).analysis, *(rest.analysis for rest in speech.finish())]
     assert [part.start for part in found[1:]] == np.cumsum([len(part) for part in found])[:-1].tolist()
-    known, of_both, alone = concatenate_analyses(found), both.push(sound).analysis, small.push(sound).analysis
-    n = len(found[0])
-    np.testing.assert_array_equal(known.phonemes[:n], of_both.phonemes[:n])
-    later = slice(n + 60, len(alone))  # the small network has heard as much by then as it looks back
-    assert np.mean(known.phonemes[later] == alone.phonemes[later]) > 0.9
+    assert (len(concatenate_analyses(found)), speech.was_without_encoder) == (200, True)
+    np.testing.assert_array_equal(found[0].phonemes, both.push(sound[:22_050]).analysis.phonemes)
+    later = found[1].phonemes[60:]  # the small network has heard as much by then as it looks back
+    alone = small.push(sound[:66_150]).analysis.phonemes[-len(later) :]
+    assert np.mean(later == alone) > 0.9
 
 
 def test_a_recogniser_of_others_that_fails_stops_its_own_sound_alone(shelf: Shelf, voices: list[Sound]) -> None:

@@ -89,6 +89,7 @@ def test_a_library_is_of_its_system_and_processor(name: str) -> None:
         assert content[start : start + 6] == b"PE\0\0\x64\x86"
     elif system == "macos":
         assert content[:8] == bytes.fromhex("cafebabe00000002")
+        assert content.count(bytes.fromhex("320000002000000001000000 00000b00")) == 2  # from macOS 11 on
     else:
         assert content.startswith(b"!<arch>\n")
         assert content.count(bytes.fromhex("cffaedfe0c000001")) == 2  # two sources for ARM, of 64 bits
