@@ -12,6 +12,7 @@ import os
 import subprocess
 import sys
 import time
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -43,7 +44,7 @@ class Load:
     n_missing : frames that were not answered at all.
     share : of a core, which the server took.
     megabytes : of memory that the server held, each second.
-    n_given_up : streams that ended without the real-time model, since the server would fall behind with it.
+    models : by what frames were recognised, and how many.
     held_up : the longest time for which the machine, or its own work, kept the client from looking, seconds.
     """
 
@@ -51,7 +52,7 @@ class Load:
     n_missing: int
     share: float
     megabytes: Sequence[float]
-    n_given_up: int
+    models: Counter[str]
     held_up: float
 
     @property
@@ -60,13 +61,18 @@ class Load:
         return int(np.count_nonzero(self.late > MOST_LATE))
 
     @property
+    def shares(self) -> str:
+        """By what frames were recognised, in words."""
+        return ", ".join(f"{n / self.models.total():.0%} by {model}" for model, n in self.models.most_common())
+
+    @property
     def words(self) -> str:
         """All of it in a line."""
         middle, high, most = (1000 * float(np.quantile(self.late, q)) for q in (0.5, 0.99, 1.0))
         return (
             f"{len(self.late)} frames: median {middle:.0f} ms, p99 {high:.0f} ms, most {most:.0f} ms; "
-            f"{self.n_late} too late, {self.n_missing} missing; {self.n_given_up} streams ended "
-            f"without the real-time model; {self.share:.1%} of a core, "
+            f"{self.n_late} too late, {self.n_missing} missing; "
+            f"{self.shares}; {self.share:.1%} of a core, "
             f"{self.megabytes[0]:.0f} to {self.megabytes[-1]:.0f} MB; "
             f"the client was held up {1000 * self.held_up:.0f} ms at most"
         )
@@ -157,8 +163,9 @@ async def _load(server: StreamServer, data: bytes, n_streams: int, seconds: floa
                 share = (server.processor - spent) / (time.monotonic() - began)
         beating.cancel()
         found = [stream.result() for stream in streams]
-    lates, missing, given_up = zip(*found, strict=True)
-    return Load(np.sort(np.concatenate(lates)), sum(missing), share, megabytes, sum(given_up), lags[0])
+    lates, missing, models = zip(*found, strict=True)
+    every = sum(models, Counter())
+    return Load(np.sort(np.concatenate(lates)), sum(missing), share, megabytes, every, lags[0])
 
 
 async def _beat(lags: list[float]) -> None:
@@ -172,8 +179,8 @@ async def _beat(lags: list[float]) -> None:
 
 async def _stream(
     session: aiohttp.ClientSession, address: str, data: bytes, phase: float, seconds: float, start: dict[str, Any]
-) -> tuple[np.ndarray, int, bool]:
-    """Play into one stream; return the latencies of frames, how many had no answer, and if the model changed."""
+) -> tuple[np.ndarray, int, Counter[str]]:
+    """Play into one stream; return the latencies of frames, how many had no answer, and what named them."""
     n_blocks, size = round(seconds / BLOCK), round(start["rate"] * BLOCK) * 2
     sent, late = np.zeros(n_blocks), []
     async with session.ws_connect(f"{address}/stream", compress=0) as socket:
@@ -190,19 +197,20 @@ async def _stream(
             await socket.send_json({"end": True})
 
         playing = asyncio.create_task(play())
-        n, models = 0, [""]
+        n, model, models = 0, "", Counter[str]()
         async for message in socket:
             now, told = time.monotonic(), json.loads(message.data)
             if "error" in told:
                 raise RuntimeError(told["error"])
-            models += [told.get("ready", told)["recogniser"]] if {"ready", "recogniser"} & told.keys() else []
+            model = told.get("ready", told).get("recogniser", model)
+            models[model] += len(told.get("phonemes", ()))
             for _ in told.get("phonemes", ()):
                 n += 1
                 block = min(n_blocks - 1, int(np.ceil(n * FRAME_PERIOD / BLOCK - 1e-9)) - 1)
                 late.append(now - sent[block])
         await playing
     first = round(SETTLED / FRAME_PERIOD)
-    return np.array(late[first:]), round(seconds / FRAME_PERIOD) - n, models[1] != models[-1]
+    return np.array(late[first:]), round(seconds / FRAME_PERIOD) - n, models
 
 
 def main() -> None:
