@@ -156,8 +156,10 @@ def test_the_tour_points_at_what_is_there_by_keyboard_and_is_left_by_escape(wind
     assert not tour.isVisible()
 
 
-def test_a_language_is_found_by_any_part_of_its_name_and_what_is_none_is_forgotten(window, desktop):
+def test_a_language_is_guessed_aloud_found_by_any_part_of_its_name_and_what_is_none_is_forgotten(window, desktop):
     box = panel(window).language
+    panel(window).field.setPlainText("Guten Morgen, das ist ein schöner Tag, und wir gehen nicht nach Hause.")
+    assert box.field.text() == "German (guessed)"
     for typed in ("britain", "klingon"):
         choose(window, typed)
         panel(window).field.setFocus()
@@ -182,16 +184,21 @@ def test_the_lanes_are_words_syllables_and_phones_poor_words_are_marked_and_noth
     assert window.close()
 
 
-def test_a_click_on_a_word_plays_it(window, desktop, qtbot):
+def test_a_click_on_a_word_plays_it_and_it_is_marked_in_the_text(window, desktop, qtbot):
     aligned(window, qtbot)
     QTest.mouseClick(window.talk.lanes.line, LEFT, pos=place(window, 0, 0.8))
     assert desktop.session.source.playing
+    window.talk.text.refresh()
+    (mark,) = window.talk.text.field.extraSelections()
+    assert mark.cursor.selectedText() == "oh"
     heard: list[Analysis] = []
     desktop.session.analysed.connect(heard.extend)
     qtbot.waitUntil(lambda: not desktop.session.source.playing)
     assert heard[0].start == 60
     assert heard[-1].start + len(heard[-1]) == 110
     assert desktop.session.source.position == 0.6
+    window.talk.text.refresh()
+    assert not window.talk.text.field.extraSelections()
 
 
 def drag_boundary(window: MainWindow) -> None:
