@@ -99,7 +99,7 @@ namespace UnityEngine
         public static int GetPosition(string deviceName) => position;
     }
 
-    public static class JsonUtility { public static T FromJson<T>(string json) => default(T); }
+    public static class JsonUtility { public static T FromJson<T>(string json) => (T)read; public static object read; }
     public static class GUILayout { public static bool Button(string text) => false; }
 
     public static class Debug
@@ -121,12 +121,13 @@ namespace UnityEngine.Playables
     public interface IPlayable { }
     public interface IPlayableBehaviour { }
     public struct Playable : IPlayable { }
-    public static class PlayableExtensions { public static double GetTime<U>(this U playable) where U : struct, IPlayable => 0; }
+    public static class PlayableExtensions { public static double GetTime<U>(this U playable) where U : struct, IPlayable => time; public static double time; }
 
     public struct ScriptPlayable<T> : IPlayable where T : class, IPlayableBehaviour, new()
     {
         public static ScriptPlayable<T> Create(PlayableGraph graph, int inputCount = 0) => default(ScriptPlayable<T>);
-        public T GetBehaviour() => new T();
+        public static T behaviour;
+        public T GetBehaviour() => behaviour = new T();
         public static implicit operator Playable(ScriptPlayable<T> it) => default(Playable);
     }
 

@@ -164,6 +164,19 @@ def test_what_a_face_cannot_do_is_a_sentence(case: str, words: str, player: Path
     assert re.match(words, played(player, content, shapes=shapes, sound=sound)[1])
 
 
+@pytest.mark.parametrize(("form", "said"), [("phonemeanalyser curves 1", ""), ("other", "these are no curves")])
+def test_a_clip_of_the_timeline_moves_a_mesh_by_exported_curves(form: str, said: str, tmp_path: Path) -> None:
+    runtime, program = SHIPPING / "unity" / "Runtime", tmp_path / "PlayTimeline.exe"
+    sources = [*runtime.rglob("*.cs"), SHIPPING / "csharp" / "Ear.cs", OURS / "UnityEngine.cs"]
+    compiled(program, [OURS / "PlayTimeline.cs", *sources])
+    values = np.random.default_rng(1).uniform(size=50).astype(np.float32)
+    done = in_mono(program, native_library(), form, "25", "jawOpen", sound=values)
+    duration, *weights, after = np.frombuffer(done.stdout)
+    expected = np.interp(np.arange(150) / 3, np.arange(50), values) * (0 if said else 100)
+    np.testing.assert_allclose(weights, expected, atol=1e-3)
+    assert (duration, after, said in done.stderr.decode()) == (0 if said else 2, 0, True)
+
+
 def test_the_window_guesses_blend_shapes_by_what_programs_call_them(tmp_path: Path) -> None:
     names, program = tmp_path / "names.txt", tmp_path / "Guess.exe"
     names.write_bytes(package_files({}, "")["Editor/shape_names.txt"])
