@@ -201,6 +201,13 @@ def test_a_click_on_a_word_plays_it_and_it_is_marked_in_the_text(window, desktop
     assert not window.talk.text.field.extraSelections()
 
 
+def test_after_a_click_on_align_space_is_not_typed_into_the_text(window, qtbot):
+    aligned(window, qtbot)
+    assert window.focusWidget() is panel(window).field
+    panel(window).act.click()
+    assert window.focusWidget() is not panel(window).field
+
+
 def drag_boundary(window: MainWindow) -> None:
     """Drag the end of the first word from 0.6 s to 0.7 s."""
     lanes = window.talk.lanes.line

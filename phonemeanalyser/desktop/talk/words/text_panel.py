@@ -162,7 +162,7 @@ class TextPanel(QWidget):
         self.language.activated.connect(lambda k: texts.set_language(self.language.itemData(k)))
         self.lexicon.clicked.connect(lambda _checked: self._choose_lexicon())
         self.literal.clicked.connect(texts.set_literal)
-        self.act.clicked.connect(lambda _checked: texts.align() if self._aligns else texts.say())
+        self.act.clicked.connect(lambda _checked: self._align_or_say())
         self.anyway.clicked.connect(lambda _checked: texts.align_anyway())
         texts.changed.connect(self._show_state)
         texts.text_changed.connect(self._show_text)
@@ -174,6 +174,13 @@ class TextPanel(QWidget):
     def _aligns(self) -> bool:
         """Whether there is a recording to align the text with."""
         return self._talking.session.source.path is not None
+
+    def _align_or_say(self) -> None:
+        self.field.clearFocus()  # so that Space plays from now on, and is not typed into the text
+        if self._aligns:
+            self._texts.align()
+        else:
+            self._texts.say()
 
     def _choose_speaker(self, name: str) -> None:
         if name in self._texts.speakers:
