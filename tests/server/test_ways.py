@@ -29,11 +29,15 @@ from phonemeengine.speech.pinyin.table import USUAL_PINYIN_TABLE
 from tests.engine.performance.corpora import write_recording
 from tests.glb_faces import face_with_targets
 from tests.meshes import format_obj
-from tests.server.conftest import RECORDING, TEXT
+from tests.server.conftest import RECORDING
 from tests.server.test_files import exported
 
 Words = dict[str, list[str]]
-SPOKEN: Words = {"text": [TEXT], "language": ["de"], "literal": ["true"], "accept-text": ["true"]}
+FELT = (
+    "[smile] Meine Mama [wütend 0.6] mag Musik, 😢 und mein "
+    '<express-as style="excited" styledegree="2">Papa</express-as> backt am *Samstag* gute Pizza!'
+)
+SPOKEN: Words = {"text": [FELT], "language": ["de"], "accept-text": ["true"]}
 CASES: dict[str, Words] = {
     "drawings": {"format": ["rhubarb-json"], "minimum": ["0.2"], "anticipation": ["0.05"], "channel": ["left"]},
     "weights": {
@@ -46,7 +50,7 @@ CASES: dict[str, Words] = {
         "steady": ["true"],
         "seed": ["3"],
         "no-blinks": ["true"],
-        "expression": ["smile=0.5", "anger=0.2"],
+        "expression": ["smile=0.5,AU12L=0.1", "anger=0.2"],
         "feeling": ["brows=0.5,smile=1"],
         "text-feeling": ["0.6"],
         "priority": ["0.7,0.2"],
@@ -54,23 +58,11 @@ CASES: dict[str, Words] = {
         "style": ["mumbling"],
         **SPOKEN,
     },
-    "feelings": {
-        "format": ["livelink-csv"],
-        "text": [
-            "[smile] Meine Mama [angry 0.6] mag Musik, 😢 und mein "
-            '<express-as style="excited" styledegree="2">Papa</express-as> backt am *Samstag* gute Pizza!'
-        ],
-        "language": ["de"],
-        "accept-text": ["true"],
-        "text-feeling": ["0.8"],
-        "feeling": ["0.7"],
-        "style": ["theatrical"],
-        "expression": ["AU12L=0.2"],
-    },
     "pinyin": {
         "format": ["livelink-csv"],
         "text": ["你好，世界。"],
         "language": ["cmn"],
+        "literal": ["true"],
         "accept-text": ["true"],
         "spring": ["1,20,9"],
         "no-head": ["true"],
