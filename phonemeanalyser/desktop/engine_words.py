@@ -466,7 +466,7 @@ def _in_language(text: str, _language: str) -> str:
 @lru_cache(4096)
 def _listed(text: str) -> tuple[str, dict[str, str]] | None:
     """Return which sentence of the engine a text is, and what it has in its places; None for another text."""
-    for sentence, start, end in _edges():
+    for sentence, start, end in _edges(text[:1]):
         if not (text.startswith(start) and text.endswith(end)):
             continue  # before a pattern is compiled: all of them take a quarter of a second at the start
         if filled := _pattern(sentence).fullmatch(text):
@@ -475,9 +475,10 @@ def _listed(text: str) -> tuple[str, dict[str, str]] | None:
 
 
 @cache
-def _edges() -> tuple[tuple[str, str, str], ...]:
-    """Return each sentence, with what it begins and ends with."""
-    return tuple((s, s.partition("{")[0], s.rpartition("}")[2]) for s in (*SENTENCES, *ERRORS))
+def _edges(letter: str) -> tuple[tuple[str, str, str], ...]:
+    """Return each sentence that may begin with a letter, with what it begins and ends with."""
+    said = (s for s in (*SENTENCES, *ERRORS) if s[0] in (letter, "{"))
+    return tuple((s, s.partition("{")[0], s.rpartition("}")[2]) for s in said)
 
 
 def _of_errors(words: str) -> str:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_array, csc_array, csr_array
+from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import connected_components
 
 from phonemeengine.arrays import BoolArray, Float32Array, Float64Array, IndexArray
@@ -159,15 +159,13 @@ def subdivided(morph_mesh: MorphMesh) -> MorphMesh:
         material_of=np.repeat(mesh.material_of, 4),
         uvs=apart.weights @ mesh.uvs,
     )
-    by_point = csc_array(form)
-    return MorphMesh(finer, tuple(_moved(state, by_point, first, len(mesh)) for state in morph_mesh.states))
+    return MorphMesh(finer, tuple(_moved(state, form, first, len(mesh)) for state in morph_mesh.states))
 
 
-def _moved(state: Movestate, form: csc_array, first: IndexArray, n: int) -> Movestate:
-    offsets, moves = np.zeros((n, 3), np.float32), np.zeros(n, bool)
-    offsets[state.numbers], moves[state.numbers] = state.offsets, True
-    moving = np.flatnonzero(moves[first])  # a few of all points
-    return movestate_of(state.name, form[:, moving] @ offsets[first[moving]], interactable=state.interactable)
+def _moved(state: Movestate, form: csr_array, first: IndexArray, n: int) -> Movestate:
+    offsets = np.zeros((n, 3), np.float32)
+    offsets[state.numbers] = state.offsets
+    return movestate_of(state.name, form @ offsets[first], interactable=state.interactable)
 
 
 @dataclass(frozen=True, eq=False)

@@ -82,30 +82,18 @@ namespace UnityEngine
     public static class AudioSettings
     {
         public delegate void AudioConfigurationChangeHandler(bool deviceWasChanged);
-        public static event AudioConfigurationChangeHandler OnAudioConfigurationChanged;
-        public static int outputSampleRate { get; private set; } = 44100;
-        public static void ChangeTo(int rate)
-        {
-            outputSampleRate = rate;
-            OnAudioConfigurationChanged(false);
-        }
-
+        public static event AudioConfigurationChangeHandler OnAudioConfigurationChanged { add { } remove { } }
+        public static int outputSampleRate => 44100;
         public static void GetDSPBufferSize(out int bufferLength, out int numBuffers) { bufferLength = 1024; numBuffers = 4; }
     }
 
     public static class Microphone
     {
-        public static AudioClip clip; // of what is recorded
-        public static bool isThere, isTaken, hasEnded;
+        public static AudioClip clip; // of the only one there is; null without one
+        public static bool isTaken, hasEnded;
         public static int position;
-        public static string[] devices => isThere ? new[] { "one" } : new string[0];
-        public static AudioClip Start(string deviceName, bool loop, int lengthSec, int frequency)
-        {
-            clip = new AudioClip { channels = 1, frequency = frequency, samples = frequency * lengthSec, content = new float[frequency * lengthSec] };
-            position = 0;
-            return clip;
-        }
-
+        public static string[] devices => clip == null ? new string[0] : new[] { "one" };
+        public static AudioClip Start(string deviceName, bool loop, int lengthSec, int frequency) => clip;
         public static void End(string deviceName) => hasEnded = true;
         public static bool IsRecording(string deviceName) => !isTaken;
         public static int GetPosition(string deviceName) => position;

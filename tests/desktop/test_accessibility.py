@@ -18,14 +18,32 @@ TEXT, LARGE = 4.5, 3.0
 """The least contrast by WCAG 2.2, level AA: of text, and of large text and of what marks a control."""
 
 
-def test_every_control_of_every_page_has_a_name_for_screen_readers_whatever_is_heard(desktop, qtbot):
+def test_every_control_of_every_page_and_dialog_has_a_name_for_screen_readers_whatever_is_heard(desktop, qtbot):
     window = shown(desktop, qtbot)
     for source, page in product(SourceKind, range(3)):
         desktop.session.set_source(source)
         window.show_page(page)
-        nameless = [w for w in controls_of(window) if not any(letter.isalnum() for letter in spoken_name(w))]
-        told = [f"{type(w).__name__} in {type(w.parentWidget()).__name__}: {w.toolTip()}" for w in nameless]
+        told = [f"{type(w).__name__} in {type(w.parentWidget()).__name__}: {w.toolTip()}" for w in nameless(window)]
         assert told == [], (source, page)
+    desktop.session.set_source(SourceKind.FILE)
+    window.show_page(0)
+    for show in (
+        lambda: window.dialogs.show_export([CARDS]),
+        lambda: TiersDialog(desktop.session.labels, window).show(),
+        window.show_manual,
+        window.show_shortcuts,
+        window.welcome.show_cards,
+    ):
+        show()
+        shows = [d for d in window.findChildren(QDialog) if d.isVisible()] or [window]
+        for dialog in shows:
+            assert controls_of(dialog)
+            assert nameless(dialog) == []
+            dialog.hide()
+
+
+def nameless(place: QWidget) -> list[QWidget]:
+    return [w for w in controls_of(place) if not any(letter.isalnum() for letter in spoken_name(w))]
 
 
 @pytest.mark.parametrize("page", range(3))
@@ -78,24 +96,6 @@ def lies_before(one: QWidget, other: QWidget) -> bool:
     if first.bottom() < second.top():
         return first.left() < second.right()
     return first.top() < second.bottom() and second.top() < first.bottom() and first.right() <= second.left()
-
-
-def test_every_control_of_a_dialog_has_a_name(desktop, qtbot):
-    window = shown(desktop, qtbot)
-    for show in (
-        lambda: window.dialogs.show_export([CARDS]),
-        lambda: TiersDialog(desktop.session.labels, window).show(),
-        window.show_manual,
-        window.show_shortcuts,
-        window.welcome.show_cards,
-    ):
-        show()
-        shows = [d for d in window.findChildren(QDialog) if d.isVisible()] or [window]
-        controls = [control for dialog in shows for control in controls_of(dialog)]
-        assert controls
-        assert [c for c in controls if not any(letter.isalnum() for letter in spoken_name(c))] == []
-        for dialog in shows:
-            dialog.hide()
 
 
 def grouped(widget: QWidget) -> bool:

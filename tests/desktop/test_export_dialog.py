@@ -63,8 +63,14 @@ def cells(dialog, row):
     return [dialog.files.item(row, k).text() for k in range(4)]
 
 
-def test_a_folder_becomes_files_beside_its_sounds(dialog, folder, qtbot):
+def test_a_folder_becomes_files_beside_its_sounds_which_are_seen_before(dialog, folder, qtbot):
+    choose(dialog, "phonemes-csv")
+    with qtbot.waitSignal(dialog.queue.previewed):
+        QTest.mouseClick(dialog.look, LEFT)
+    assert dialog.preview.toPlainText().startswith("start_s,end_s,phoneme")
     choose(dialog, "rhubarb-json")
+    assert dialog.preview.toPlainText() == ""
+    assert not list(folder.rglob("*.csv"))
     assert [cells(dialog, row)[0] for row in range(2)] == ["two.flac", "one.flac"]
     with qtbot.waitSignal(dialog.queue.finished):
         QTest.mouseClick(dialog.start, LEFT)
@@ -79,10 +85,17 @@ def test_a_folder_becomes_files_beside_its_sounds(dialog, folder, qtbot):
     assert (dialog.told.text(), dialog.bar.value()) == ("", 0)
 
 
-def test_a_file_that_fails_is_said_and_the_others_go_on(dialog, folder, qtbot):
+def test_files_go_where_the_user_says_and_what_fails_is_said(dialog, folder, tmp_path, qtbot, hand):
+    def choose_out(asked: QFileDialog) -> None:
+        asked.findChild(QLineEdit).setText(str(tmp_path / "out"))
+        asked.accept()
+
+    (tmp_path / "out").mkdir()
     (folder / "bad.wav").write_bytes(b"RIFF nonsense")
     dialog.add([folder])
     choose(dialog, "phonemes-csv")
+    hand.act = choose_out
+    QTest.mouseClick(dialog.folder, LEFT)
     with qtbot.waitSignal(dialog.queue.finished):
         QTest.mouseClick(dialog.start, LEFT)
     states = {job.source.name: job.state for job in dialog.queue.jobs}
@@ -90,7 +103,17 @@ def test_a_file_that_fails_is_said_and_the_others_go_on(dialog, folder, qtbot):
     assert dialog.told.text() == "2 done, 1 failed"
     row = next(r for r in range(3) if cells(dialog, r)[0] == "bad.wav")
     assert "bad.wav" in cells(dialog, row)[3]
-    assert not (folder / "bad.csv").exists()
+    assert outputs_in(tmp_path / "out") == ["one.csv", "two.csv"]
+    hand.act = QFileDialog.reject
+    QTest.mouseClick(dialog.folder, LEFT)
+    assert dialog.folder.text() == BESIDE
+    blocked = folder / "blocked"
+    blocked.write_text("a file, no folder")
+    dialog.write_into(Path(blocked))
+    with qtbot.waitSignal(dialog.queue.finished):
+        QTest.mouseClick(dialog.start, LEFT)
+    assert dialog.told.text() == "3 failed"
+    assert blocked.read_text() == "a file, no folder"
 
 
 def test_cancelling_leaves_no_half_file(dialog, folder, qtbot, monkeypatch):
@@ -105,16 +128,6 @@ def test_cancelling_leaves_no_half_file(dialog, folder, qtbot, monkeypatch):
     assert ExportState.CANCELLED in {job.state for job in dialog.queue.jobs}
 
 
-def test_the_result_is_seen_before_it_is_written(dialog, folder, qtbot):
-    choose(dialog, "phonemes-csv")
-    with qtbot.waitSignal(dialog.queue.previewed):
-        QTest.mouseClick(dialog.look, LEFT)
-    assert dialog.preview.toPlainText().startswith("start_s,end_s,phoneme")
-    choose(dialog, "gltf")
-    assert dialog.preview.toPlainText() == ""
-    assert not list(folder.rglob("*.csv"))
-
-
 def test_of_a_long_sound_the_beginning_is_seen(dialog, folder, qtbot):
     for path in folder.rglob("*.flac"):
         soundfile.write(path, np.zeros(40 * SAMPLE_RATE), SAMPLE_RATE)
@@ -126,7 +139,17 @@ def test_of_a_long_sound_the_beginning_is_seen(dialog, folder, qtbot):
     assert float([row for row in rows if row][-1].split(",")[1]) == pytest.approx(30.0, abs=0.03)
 
 
-def test_options_count_where_a_mouth_moves_and_impossible_ones_are_one_sentence(dialog):
+def test_only_choices_that_make_a_difference_to_the_format_are_shown_and_impossible_ones_refused(dialog):
+    shown_in = {
+        "rhubarb-json": {"timing", "table", "minimum", "anticipation"},
+        "oculus-csv": {"timing", "table", "rate", "anticipation", "detail", "seed"},
+        "livelink-csv": {"timing", "table", "rate", "anticipation", "detail", "seed", "blinks", "head"},
+        "frames-csv": set(),
+    }
+    names = ("timing", "driver", "table", "mesh", "expression", "rate", "minimum", "anticipation", "detail", "seed")
+    for kind, expected in shown_in.items():
+        choose(dialog, kind)
+        assert {name for name in (*names, "blinks", "head") if getattr(dialog.choices, name).isVisible()} == expected
     choose(dialog, "phonemes-csv")
     assert not dialog.choices.table.isEnabled()
     choose(dialog, "rhubarb-json")
@@ -140,29 +163,20 @@ def test_options_count_where_a_mouth_moves_and_impossible_ones_are_one_sentence(
     dialog.choices.head.setChecked(False)
     order = dialog.choices.order()
     assert (order.options.minimum, order.options.table, order.options.idle.head) == (0.2, None, False)
+    dialog.files.selectRow(0)
+    QTest.mouseClick(dialog.remove, LEFT)
+    assert dialog.files.rowCount() == 1
 
 
-def test_files_go_where_the_user_says(dialog, folder, tmp_path, qtbot, hand):
-    def choose_out(asked: QFileDialog) -> None:
-        asked.findChild(QLineEdit).setText(str(tmp_path / "out"))
-        asked.accept()
-
-    (tmp_path / "out").mkdir()
-    choose(dialog, "phonemes-csv")
-    hand.act = choose_out
-    QTest.mouseClick(dialog.folder, LEFT)
-    with qtbot.waitSignal(dialog.queue.finished):
-        QTest.mouseClick(dialog.start, LEFT)
-    assert outputs_in(tmp_path / "out") == ["one.csv", "two.csv"]
-    hand.act = QFileDialog.reject
-    QTest.mouseClick(dialog.folder, LEFT)
-    assert dialog.folder.text() == BESIDE
-
-
-def test_another_preset_is_chosen(desktop, qtbot, folder):
-    window = shown(desktop, qtbot, None)
+def test_the_menu_and_a_dropped_folder_open_it_and_another_preset_is_chosen(desktop, qtbot, folder):
+    window = shown(desktop, qtbot)
+    window.menus.actions["Export…"].trigger()
+    (dialog,) = window.findChildren(ExportDialog)
+    assert cells(dialog, 0)[0] == CARDS.name
+    dialog.close()
     window.dialogs.show_export([folder])
     (dialog,) = (d for d in window.findChildren(ExportDialog) if d.isVisible())
+    assert dialog.files.rowCount() == 2
     assert dialog.choices.order().preset == desktop.preset.in_force
     QTest.mouseClick(dialog.choices.preset, LEFT)
     QTest.keyClicks(dialog.choices.preset.list.search, "learned")
@@ -257,19 +271,6 @@ def test_a_face_is_exported_as_talk_shows_it(desktop, qtbot, tmp_path):
     dialog.close()
 
 
-def test_only_choices_that_make_a_difference_to_the_format_are_shown(dialog):
-    shown_in = {
-        "rhubarb-json": {"timing", "table", "minimum", "anticipation"},
-        "oculus-csv": {"timing", "table", "rate", "anticipation", "detail", "seed"},
-        "livelink-csv": {"timing", "table", "rate", "anticipation", "detail", "seed", "blinks", "head"},
-        "frames-csv": set(),
-    }
-    names = ("timing", "driver", "table", "mesh", "expression", "rate", "minimum", "anticipation", "detail", "seed")
-    for kind, expected in shown_in.items():
-        choose(dialog, kind)
-        assert {name for name in (*names, "blinks", "head") if getattr(dialog.choices, name).isVisible()} == expected
-
-
 @pytest.mark.usefixtures("own_desktop")
 def test_a_text_in_hand_is_exported_as_its_voice_says_it(desktop, qtbot, tmp_path):
     window, text = shown(desktop, qtbot, None), desktop.talking.text
@@ -293,35 +294,6 @@ def test_a_text_in_hand_is_exported_as_its_voice_says_it(desktop, qtbot, tmp_pat
     expected = b"".join(Exporter("livelink-csv").chunks_of(said))
     assert (tmp_path / "text.livelink.csv").read_bytes() == expected
     dialog.close()
-
-
-def test_sounds_are_removed_from_the_list(dialog):
-    dialog.files.selectRow(0)
-    QTest.mouseClick(dialog.remove, LEFT)
-    assert dialog.files.rowCount() == 1
-
-
-def test_the_menu_and_a_dropped_folder_open_it(desktop, qtbot, folder):
-    window = shown(desktop, qtbot)
-    window.menus.actions["Export…"].trigger()
-    (dialog,) = window.findChildren(ExportDialog)
-    assert cells(dialog, 0)[0] == CARDS.name
-    dialog.close()
-    window.dialogs.show_export([folder])
-    found = [d for d in window.findChildren(ExportDialog) if d.isVisible()]
-    assert found[0].files.rowCount() == 2
-    found[0].close()
-
-
-def test_where_nothing_can_be_written_it_is_said(dialog, folder, qtbot):
-    blocked = folder / "blocked"
-    blocked.write_text("a file, no folder")
-    dialog.write_into(Path(blocked))
-    choose(dialog, "phonemes-csv")
-    with qtbot.waitSignal(dialog.queue.finished):
-        QTest.mouseClick(dialog.start, LEFT)
-    assert dialog.told.text() == "2 failed"
-    assert blocked.read_text() == "a file, no folder"
 
 
 def test_a_clip_is_the_one_that_the_command_makes(dialog, folder, tmp_path, qtbot):

@@ -57,9 +57,11 @@ def deleted(path: Path) -> None:
     "change",
     [
         cut_off,
-        made_longer,
         deleted,
-        *(pytest.param(change, marks=pytest.mark.long) for change in (made_shorter, emptied, made_a_text)),
+        *(
+            pytest.param(change, marks=pytest.mark.long)
+            for change in (made_longer, made_shorter, emptied, made_a_text)
+        ),
     ],
 )
 def test_a_file_that_changes_while_it_is_open_leaves_the_window_as_it_was(
@@ -112,21 +114,20 @@ def labels_until(end: float) -> tuple[Tier, ...]:
     return (Tier("phones", tuple(RawLabel(t, t + 0.25, "s" if k % 2 else "a", "") for k, t in enumerate(times))),)
 
 
-def test_labels_longer_than_the_sound_are_one_sentence_and_stay_in_their_file(desktop, qtbot, sound):
-    grid = sound.with_suffix(".TextGrid")
+def test_labels_longer_than_the_sound_or_that_overlap_are_one_sentence_and_stay_in_their_file(
+    desktop, qtbot, sound, tmp_path
+):
+    grid, other = sound.with_suffix(".TextGrid"), wav(tmp_path, noise(SECONDS, 0.1), "other.wav")
     write_tiers(labels_until(60.0), grid, duration=60.0)
+    other.with_suffix(".txt").write_text("0.0\t0.8\ta\n0.5\t1.0\ts\n")
     window, session = shown(desktop, qtbot, sound), desktop.session
     assert "sound.TextGrid" in window.banner.label.text()
     assert session.source.duration == SECONDS
     assert session.labels.tiers == ()
     assert read_tiers(grid)[0].raw_labels[-1].end == 60.0
-
-
-def test_labels_that_overlap_are_one_sentence_and_the_sound_is_opened_without_them(desktop, qtbot, sound):
-    sound.with_suffix(".txt").write_text("0.0\t0.8\ta\n0.5\t1.0\ts\n")
-    window = shown(desktop, qtbot, sound)
-    assert desktop.session.source.duration == SECONDS
-    assert desktop.session.labels.tiers == ()
+    session.open(other)
+    assert session.source.duration == SECONDS
+    assert session.labels.tiers == ()
     assert "must not overlap" in window.banner.label.text()
 
 

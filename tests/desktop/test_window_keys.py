@@ -44,21 +44,28 @@ def test_letters_typed_into_a_list_that_was_closed_search_in_it_and_record_nothi
     assert session.source.kind is SourceKind.FILE
 
 
-@pytest.mark.parametrize("page", [1, 2])
-def test_single_letters_of_the_menus_do_nothing_on_other_pages(desktop, qtbot, page):
+def test_single_letters_of_the_menus_do_nothing_on_other_pages_where_the_list_of_keys_is_whole(desktop, qtbot):
     window, session, preset = shown(desktop, qtbot), desktop.session, desktop.preset
-    window.show_page(page)
-    for key in (Qt.Key.Key_R, Qt.Key.Key_N, Qt.Key.Key_L, Qt.Key.Key_B, Qt.Key.Key_C, Qt.Key.Key_F, Qt.Key.Key_D):
-        press(window, key)
-    assert session.source.kind is SourceKind.FILE
-    assert not session.playback.loop
-    assert not preset.bypassed
-    assert not window.redraw.frozen
+    keys, actions = window.menus.keys(), window.menus.actions
+    for page in (1, 2):
+        window.show_page(page)
+        for key in (Qt.Key.Key_R, Qt.Key.Key_N, Qt.Key.Key_L, Qt.Key.Key_B, Qt.Key.Key_C, Qt.Key.Key_F, Qt.Key.Key_D):
+            press(window, key)
+        assert session.source.kind is SourceKind.FILE
+        assert not session.playback.loop
+        assert not preset.bypassed
+        assert not window.redraw.frozen
+    assert window.menus.keys() == keys
     window.show_page(0)
     press(window, Qt.Key.Key_L)
     press(window, Qt.Key.Key_B)
     assert session.playback.loop
     assert preset.bypassed
+    repeated = [actions[name].autoRepeat() for name in ("Loop", "Play/Pause", "Forward 1 s")]
+    assert repeated == [False, False, True]  # a key that is held switches once
+    window.show_shortcuts()
+    text = window.findChild(ShortcutsDialog).list.text()
+    assert re.search("<td>Record&nbsp;.*?<td>R</td>", text)
 
 
 def test_a_list_a_number_and_a_text_keep_what_is_typed_into_them(desktop, qtbot):
@@ -155,23 +162,6 @@ def test_a_button_reached_with_tab_keeps_space_and_one_that_was_clicked_does_not
     press(window, Qt.Key.Key_Space)
     assert not wireframe.isChecked()
     assert not desktop.session.source.playing
-
-
-def test_the_list_of_keys_is_whole_on_every_page_and_says_where_letters_act(desktop, qtbot):
-    window = shown(desktop, qtbot)
-    keys = window.menus.keys()
-    window.show_page(2)
-    assert window.menus.keys() == keys
-    window.show_shortcuts()
-    text = window.findChild(ShortcutsDialog).list.text()
-    assert re.search("<td>Record&nbsp;.*?<td>R</td>", text)
-
-
-def test_a_key_that_is_held_switches_once(desktop, qtbot):
-    window = shown(desktop, qtbot)
-    assert not window.menus.actions["Loop"].autoRepeat()
-    assert not window.menus.actions["Play/Pause"].autoRepeat()
-    assert window.menus.actions["Forward 1 s"].autoRepeat()
 
 
 def test_letters_in_a_table_of_the_calibration_record_no_take(open_booth, mic):

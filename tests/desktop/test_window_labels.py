@@ -46,8 +46,8 @@ def send(view, kind, at, modifier):
     QApplication.sendEvent(view, QMouseEvent(kind, place, view.mapToGlobal(place), held, held, modifier))
 
 
-def test_lanes_are_painted_under_the_recognised_phonemes(window):
-    view = window.analysis.file.view
+def test_lanes_are_painted_a_click_chooses_and_a_drag_moves_the_boundary(desktop, window):
+    view, labels = window.analysis.file.view, desktop.session.labels
     rows = view.file_layout.label_rows()
     assert list(rows) == [0, 1]
     assert view.file_layout.rows()[1].bottom() < rows[0].top() < rows[1].top() < view.file_layout.rows()[2].top()
@@ -55,10 +55,14 @@ def test_lanes_are_painted_under_the_recognised_phonemes(window):
     edge = round(view.file_layout.x_of(1.0))
     y = round(rows[0].top()) + 3
     assert picture.pixel(edge, y) != picture.pixel(edge + 5, y)
-
-
-def test_a_click_chooses_and_selects_and_a_drag_moves_the_boundary(desktop, window, qtbot):
-    view, labels = window.analysis.file.view, desktop.session.labels
+    for name in ("Rename Label", "Delete Label", "Merge with Next Label", "End Label at Cursor"):
+        window.banner.show_error("")
+        window.menus.actions[name].trigger()
+        assert window.banner.label.text().startswith("No label is selected"), name
+    desktop.session.view.select(TimeSpan(0.6, 0.9))
+    window.menus.actions["Insert Label"].trigger()  # refused before a name is typed
+    assert "is labelled from" in window.banner.label.text()
+    assert not view.editor.isVisible()
     QTest.mouseClick(view, Qt.MouseButton.LeftButton, pos=place(view, 0, 1.2))
     assert labels.chosen == ChosenLabel(0, 1)
     assert desktop.session.view.selection == TimeSpan(1.0, 1.5)
@@ -137,13 +141,6 @@ def test_a_dragged_boundary_snaps_to_other_tiers_and_with_ctrl_it_does_not(deskt
         desktop.preset.undo_stack.undo()
 
 
-def test_what_has_a_label_is_refused_before_a_name_is_typed(desktop, window):
-    desktop.session.view.select(TimeSpan(0.6, 0.9))
-    window.menus.actions["Insert Label"].trigger()
-    assert "is labelled from" in window.banner.label.text()
-    assert not window.analysis.file.view.editor.isVisible()
-
-
 def test_errors_are_gone_through_by_key(desktop, window):
     errors = desktop.session.labels.errors(desktop.session.whole.tracks)
     assert errors
@@ -162,25 +159,18 @@ def test_errors_are_gone_through_by_key(desktop, window):
     assert desktop.session.view.selection.start == expected.start
 
 
-def test_tiers_are_chosen_by_name(desktop, window):
-    dialog = TiersDialog(desktop.session.labels, window)
-    assert [dialog.list.item(k).text() for k in range(2)] == ["phones (2 labels)", "words (1 labels)"]
-    dialog.list.item(0).setCheckState(Qt.CheckState.Unchecked)
-    dialog.says.setCurrentText("None")
-    assert (dialog.shown(), dialog.said()) == ([1], None)
-    dialog.deleteLater()
-
-
-def test_the_format_is_chosen_and_says_what_it_loses(desktop, window):
-    dialog = FormatDialog(desktop.session.labels, window)
-    assert (dialog.format.currentData(), dialog.loses.text()) == (".TextGrid", "Keeps everything.")
-    dialog.format.setCurrentIndex(2)
-    assert (dialog.format.currentData(), dialog.loses.text()) == (".txt", "Saves a copy without words.")
-    dialog.deleteLater()
-
-
-def test_no_tier_is_shown_twice_and_doubt_is_hatched_and_explained(desktop, window):
+def test_tiers_and_format_are_chosen_no_tier_is_shown_twice_and_doubt_is_explained(desktop, window):
     view, labels = window.analysis.file.view, desktop.session.labels
+    tiers, form = TiersDialog(labels, window), FormatDialog(labels, window)
+    assert [tiers.list.item(k).text() for k in range(2)] == ["phones (2 labels)", "words (1 labels)"]
+    tiers.list.item(0).setCheckState(Qt.CheckState.Unchecked)
+    tiers.says.setCurrentText("None")
+    assert (tiers.shown(), tiers.said()) == ([1], None)
+    assert (form.format.currentData(), form.loses.text()) == (".TextGrid", "Keeps everything.")
+    form.format.setCurrentIndex(2)
+    assert (form.format.currentData(), form.loses.text()) == (".txt", "Saves a copy without words.")
+    for dialog in (tiers, form):
+        dialog.deleteLater()
     spoken = [Lane(name) for name in ("Words", "Syllables", "Phones", "Units")]
     view.show_spoken(spoken)
     assert [lane.name for lane in view.file_layout.spoken_shown()] == ["Units"]
@@ -191,26 +181,15 @@ def test_no_tier_is_shown_twice_and_doubt_is_hatched_and_explained(desktop, wind
     assert "diphthong" in lane.tips[0]
 
 
-def test_unsaved_labels_are_asked_about_before_they_go(desktop, window, hand):
-    labels = desktop.session.labels
+def test_unsaved_labels_are_asked_about_before_they_go_and_others_are_loaded(desktop, window, hand, tmp_path):
+    labels, path = desktop.session.labels, tmp_path / "other.csv"
+    write_tiers([TIERS[0]], path)
+    window.files.show = FileAnswers(path)
+    window.menus.actions["Load Labels…"].trigger()
+    assert labels.path == path
     labels.delete(ChosenLabel(0, 0))
     assert not desktop.session.open(CARDS)
     assert "Save the changes to the labels of cards.flac" in hand.texts[0]
     hand.press(QMessageBox.StandardButton.Discard)
     assert desktop.session.open(CARDS)
     assert labels.path == CARDS.with_suffix(".csv")
-
-
-def test_labels_are_loaded_from_elsewhere(desktop, window, tmp_path):
-    path = tmp_path / "other.csv"
-    write_tiers([TIERS[0]], path)
-    window.files.show = FileAnswers(path)
-    window.menus.actions["Load Labels…"].trigger()
-    assert desktop.session.labels.path == path
-
-
-def test_nothing_chosen_is_one_sentence(window):
-    for name in ("Rename Label", "Delete Label", "Merge with Next Label", "End Label at Cursor"):
-        window.banner.show_error("")
-        window.menus.actions[name].trigger()
-        assert window.banner.label.text().startswith("No label is selected"), name

@@ -101,15 +101,24 @@ def keys_of(window) -> dict[str, list[str]]:
     }
 
 
-def test_the_dialog_lists_every_key(desktop, qtbot):
+def test_everything_frequent_has_a_key_of_its_own_and_the_dialog_lists_them(desktop, qtbot):
     window = shown(desktop, qtbot, None)
+    keys = keys_of(window)
+    frequent = ("Open Audio File…", "Save Preset", "Undo", "Redo", "Play/Pause", "Stop", "Loop", "Clear")
+    assert all(keys[name][0] for name in (*frequent, "Freeze Views"))
+    for page in (0, 1):
+        window.show_page(page)
+        acting = [action for action in window.findChildren(QAction) if action.isVisible()]
+        counts = Counter(key.toString() for action in acting for key in action.shortcuts())
+        assert len(counts) > 20
+        assert [key for key, n in counts.items() if key and n > 1] == []
     press(window, Qt.Key.Key_F1)
     dialog = window.findChild(ShortcutsDialog)
     assert dialog.isVisible()
     text = dialog.list.text()
-    for name, keys in keys_of(window).items():
-        if keys and keys[0]:
-            assert f"<td>{name}&nbsp;&nbsp;&nbsp;</td><td>{keys[0]}</td>" in text
+    for name, of_it in keys_of(window).items():
+        if of_it and of_it[0]:
+            assert f"<td>{name}&nbsp;&nbsp;&nbsp;</td><td>{of_it[0]}</td>" in text
     for key in ("Backspace", "R", "Right", "Return", "Esc"):  # of the guide
         assert f"<td>{key}</td>" in text.split("<b>Guided calibration</b>")[1]
     assert dialog.width() <= 1016
@@ -117,17 +126,7 @@ def test_the_dialog_lists_every_key(desktop, qtbot):
     dialog.close()
 
 
-@pytest.mark.parametrize("page", [0, 1])
-def test_no_two_actions_share_a_key(desktop, qtbot, page):
-    window = shown(desktop, qtbot, None)
-    window.show_page(page)
-    acting = [action for action in window.findChildren(QAction) if action.isVisible()]
-    counts = Counter(key.toString() for action in acting for key in action.shortcuts())
-    assert len(counts) > 20
-    assert [key for key, n in counts.items() if key and n > 1] == []
-
-
-def test_each_sound_has_one_name_on_all_pages(desktop, qtbot):
+def test_each_sound_has_one_name_on_all_pages_and_what_talk_does_with_files_is_in_a_menu_too(desktop, qtbot):
     window = shown(desktop, qtbot, None)
     names = set(map(sound_name, Phoneme))
     boxes = (*window.calibration.findChildren(QComboBox), *window.talk.findChildren(QComboBox))
@@ -139,10 +138,6 @@ def test_each_sound_has_one_name_on_all_pages(desktop, qtbot):
     assert {mapping.boxes["zh"].itemText(k) for k in range(len(Phoneme))} == names
     for phoneme, record in window.calibration.takes.record.buttons.items():
         assert record.accessibleName() == f"Record a take of {sound_name(phoneme)}"
-
-
-def test_whatever_the_page_of_the_head_does_with_files_is_in_a_menu_too(desktop, qtbot):
-    window = shown(desktop, qtbot, None)
     page = window.talk
     bars = page.text.script, page.text.lexicon, page.key_panel.save, page.choices.own, page.choices.map
     for place in (page.export, page.save_words, *bars, *page.choices.heads.values(), *page.heads.framings.values()):
@@ -206,22 +201,6 @@ def has_tip(widget: QWidget | None) -> bool:
     return False
 
 
-def test_everything_frequent_has_a_key(desktop, qtbot):
-    keys = keys_of(shown(desktop, qtbot, None))
-    for name in (
-        "Open Audio File…",
-        "Save Preset",
-        "Undo",
-        "Redo",
-        "Play/Pause",
-        "Stop",
-        "Loop",
-        "Clear",
-        "Freeze Views",
-    ):
-        assert keys[name][0]
-
-
 def test_about_says_what_it_is(desktop, qtbot, hand):
     shown(desktop, qtbot, None).menus.actions["About PhonemeAnalyser"].trigger()
     assert "MIT" in hand.texts[0]
@@ -250,7 +229,7 @@ def start_again(desktop, qapp, settings):
 
 
 @pytest.mark.usefixtures("own_desktop")
-def test_layout_and_choices_come_back(desktop, qtbot, start_again):
+def test_layout_choices_and_both_presets_come_back(desktop, qtbot, start_again, tmp_path):
     window = shown(desktop, qtbot)
     window.resize(1500, 900)
     settle()
@@ -271,6 +250,10 @@ def test_layout_and_choices_come_back(desktop, qtbot, start_again):
         window.analysis.waveform.coarse,
     ):
         click(switch)
+    desktop.preset.save(tmp_path / "mine.toml")
+    window.dialogs.presets.load(tmp_path / "mine.toml")
+    desktop.preset.set_other(PresetDocument.read(preset_path("extended")))
+    desktop.preset.switch()
     settle()
     sizes = window.analysis.rows.sizes(), window.analysis.spectra.sizes()
     again = start_again()
@@ -280,8 +263,8 @@ def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     settle()
     assert new.analysis.rows.sizes() == pytest.approx(sizes[0], abs=25)
     assert new.analysis.spectra.sizes() == pytest.approx(sizes[1], abs=25)
-    assert not new.findChild(QDockWidget, "Filters").isVisible()
-    assert new.findChild(QDockWidget, "Thresholds").isVisible()
+    docks = {name: new.findChild(QDockWidget, name).isVisible() for name in ("Filters", "Thresholds")}
+    assert docks == {"Filters": False, "Thresholds": True}
     assert new.transport.volume.value() == again.session.playback.volume == -20
     assert again.session.playback.loop
     assert new.transport.loop.isChecked()
@@ -291,13 +274,19 @@ def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     assert new.analysis.sonagram.colours.currentText() == "magma"
     assert (new.analysis.sonagram.low.value(), new.analysis.sonagram.high.value()) == (-80, -10)
     assert again.session.sonagram.level_range == (-80, -10)
+    coarse = [
+        view.coarse.isChecked() for view in (new.analysis.spectrum, new.analysis.averaged, new.analysis.waveform)
+    ]
+    assert coarse == [False, True, True]
     assert new.analysis.spectrum.decibels.isChecked()
-    assert new.analysis.averaged.coarse.isChecked()
-    assert new.analysis.waveform.coarse.isChecked()
-    assert not new.analysis.spectrum.coarse.isChecked()
+    new.dialogs.presets.restore()
+    assert again.preset.letter == "B"
+    assert [preset.name for preset in again.preset.sides.values()] == ["mine", "Extended rules"]
+    assert new.banner.label.text() == ""
+    assert not new.isWindowModified()
 
 
-def test_f6_goes_from_the_file_to_each_dock_in_front_and_back(desktop, qtbot):
+def test_f6_goes_from_the_file_to_each_dock_in_front_and_back_and_a_closed_one_comes_back(desktop, qtbot):
     window = shown(desktop, qtbot, None)
     window.analysis.main_view.setFocus()
     docks = [dock for dock in window.findChildren(QDockWidget) if not dock.visibleRegion().isEmpty()]
@@ -310,10 +299,6 @@ def test_f6_goes_from_the_file_to_each_dock_in_front_and_back(desktop, qtbot):
     assert window.focusWidget() is window.analysis.main_view
     press(window, Qt.Key.Key_F6, Qt.KeyboardModifier.ShiftModifier)
     assert found[-1].isAncestorOf(window.focusWidget())
-
-
-def test_a_closed_dock_comes_back_from_the_menu(desktop, qtbot):
-    window = shown(desktop, qtbot, None)
     for name in ("Filters", "Phoneme", "Thresholds"):
         dock = window.findChild(QDockWidget, name)
         dock.close()
@@ -321,21 +306,6 @@ def test_a_closed_dock_comes_back_from_the_menu(desktop, qtbot):
         assert not toggle.isChecked()
         toggle.trigger()
         assert dock.isVisible()
-
-
-@pytest.mark.usefixtures("own_desktop")
-def test_a_and_b_come_back_and_the_one_in_use_is_in_use(desktop, qtbot, start_again, tmp_path):
-    window = shown(desktop, qtbot, None)
-    desktop.preset.save(tmp_path / "mine.toml")
-    window.dialogs.presets.load(tmp_path / "mine.toml")
-    desktop.preset.set_other(PresetDocument.read(preset_path("extended")))
-    desktop.preset.switch()
-    again = start_again()
-    again.window.dialogs.presets.restore()
-    assert again.preset.letter == "B"
-    assert [preset.name for preset in again.preset.sides.values()] == ["mine", "Extended rules"]
-    assert again.window.banner.label.text() == ""
-    assert not again.window.isWindowModified()
 
 
 @pytest.mark.parametrize("gone", ["a", "b", "ab"])

@@ -19,7 +19,17 @@ CONTROL = Qt.KeyboardModifier.ControlModifier
 
 
 @pytest.mark.usefixtures("own_desktop")
-def test_a_page_is_made_when_it_is_first_looked_at_and_stays(desktop, qtbot):
+def test_the_sound_is_opened_after_the_window_was_painted_and_a_page_is_made_when_it_is_looked_at(desktop, qtbot):
+    waiting = FirstPaint(desktop.window)
+    said = []
+    waiting.painted.connect(lambda: said.append(desktop.window.isVisible()))
+    settle()
+    assert said == []
+    desktop.window.show()
+    qtbot.waitUntil(lambda: said == [True])
+    desktop.window.repaint()
+    settle()
+    assert said == [True]
     window = shown(desktop, qtbot)
     assert not window.findChildren(TalkPage)
     assert not window.findChildren(CalibrationPage)
@@ -40,12 +50,23 @@ def test_a_page_is_made_when_it_is_first_looked_at_and_stays(desktop, qtbot):
     assert page.isVisible()
 
 
-def test_a_window_that_is_too_small_for_a_page_scrolls_it(desktop, qtbot):
-    """On a screen of 1920 x 1080 at twice the scale a window has 960 x 540."""
+@pytest.mark.qt_log_ignore("This plugin does not support")  # menus without a display
+def test_a_right_click_on_the_head_opens_its_menu_and_a_page_is_scrolled_where_the_window_is_too_small(
+    desktop, qtbot
+):
     window = shown(desktop, qtbot)
+    press(window, Qt.Key.Key_3, CONTROL)
+    head, right = window.talk.head, Qt.MouseButton.RightButton
+    QTest.mousePress(head, right, pos=QPoint(50, 50))
+    QTest.mouseMove(head, QPoint(80, 50))
+    QTest.mouseRelease(head, right, pos=QPoint(80, 50))
+    assert not head.menu.isVisible()
+    QTest.mouseClick(head, right, pos=QPoint(50, 50))
+    assert head.menu.isVisible()
+    head.menu.close()
     for number in (1, 2):
         window.show_page(number)
-        window.resize(960, 540)
+        window.resize(960, 540)  # a screen of 1920 x 1080 at twice the scale
         QApplication.processEvents()
         assert (window.width(), window.height()) == (960, 540)
         area = window.pages.currentWidget()
@@ -69,34 +90,6 @@ def test_every_view_copies_its_values_and_becomes_a_picture(desktop, qtbot, tmp_
             window.files.show = FileAnswers(saved[-1])
             choose(menu, "Save Picture…")
     assert [path.name for path in saved if not path.is_file() or not path.stat().st_size] == []
-
-
-@pytest.mark.qt_log_ignore("This plugin does not support")  # menus without a display
-def test_a_right_click_on_the_head_opens_its_menu_and_a_right_drag_does_not(desktop, qtbot):
-    window = shown(desktop, qtbot)
-    press(window, Qt.Key.Key_3, CONTROL)
-    head, right = window.talk.head, Qt.MouseButton.RightButton
-    QTest.mousePress(head, right, pos=QPoint(50, 50))
-    QTest.mouseMove(head, QPoint(80, 50))
-    QTest.mouseRelease(head, right, pos=QPoint(80, 50))
-    assert not head.menu.isVisible()
-    QTest.mouseClick(head, right, pos=QPoint(50, 50))
-    assert head.menu.isVisible()
-    head.menu.close()
-
-
-@pytest.mark.usefixtures("own_desktop")
-def test_the_sound_is_opened_after_the_window_has_been_painted(desktop, qtbot):
-    waiting = FirstPaint(desktop.window)
-    said = []
-    waiting.painted.connect(lambda: said.append(desktop.window.isVisible()))
-    settle()
-    assert said == []
-    desktop.window.show()
-    qtbot.waitUntil(lambda: said == [True])
-    desktop.window.repaint()
-    settle()
-    assert said == [True]
 
 
 def test_the_first_picture_does_not_wait_for_the_calibration(tmp_path):

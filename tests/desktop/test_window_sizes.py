@@ -29,16 +29,11 @@ from tests.desktop.hands import click, followed, lies_behind, settle, shown
 
 SMALLEST = (1016, 660)
 """What window managers leave of a screen of 1024x700."""
-SIZES = [SMALLEST, (1280, 800), (1920, 1080)]
 
 
-@pytest.fixture(params=SIZES, ids=lambda size: f"{size[0]}x{size[1]}")
-def window(request, desktop, qtbot):
-    window = followed(desktop, qtbot, seconds=1.0)
-    window.resize(*request.param)
-    settle()
-    assert (window.width(), window.height()) == request.param
-    return window
+@pytest.fixture
+def window(desktop, qtbot):
+    return shown(desktop, qtbot, None)
 
 
 def room_and_need(widget: QWidget) -> tuple[int, int]:
@@ -74,23 +69,28 @@ def name_of(widget: QWidget) -> str:
     return f"{type(widget).__name__} {text or widget.toolTip()}"
 
 
-def test_every_text_has_room_lies_inside_its_parent_and_on_nothing_else(window):
-    seen = texts(window)
-    assert len(seen) > 100
-    assert clipped(seen) == {}
-    assert [name_of(w) for w in seen if not w.parentWidget().rect().contains(w.geometry())] == []
-    for parent in {w.parentWidget() for w in seen}:
-        children = [w for w in seen if w.parentWidget() is parent]
-        for k, one in enumerate(children):
-            covering = [name_of(o) for o in children[k + 1 :] if o.geometry().intersects(one.geometry())]
-            assert covering == [], name_of(one)
-    # the largest values have room too
-    window.filters.fields["high_pass_end"].setValue(22_050)
-    window.filters.fields["low_pass_end"].setValue(22_050)
-    window.filters.fields["intensity_low"].setValue(-120)
-    window.analysis.thresholds.rows["silence_zero_crossings"].number.setValue(2047)
-    window.analysis.thresholds.rows["p_energy_n"].number.setValue(256)
-    assert clipped([w for w in texts(window) if isinstance(w, QDoubleSpinBox)]) == {}
+def test_every_text_has_room_lies_inside_its_parent_and_on_nothing_else(desktop, qtbot):
+    window = followed(desktop, qtbot, seconds=0.3)
+    for size in (SMALLEST, (1920, 1080)):
+        window.resize(*size)
+        settle()
+        assert (window.width(), window.height()) == size
+        seen = texts(window)
+        assert len(seen) > 100
+        assert clipped(seen) == {}
+        assert [name_of(w) for w in seen if not w.parentWidget().rect().contains(w.geometry())] == []
+        for parent in {w.parentWidget() for w in seen}:
+            children = [w for w in seen if w.parentWidget() is parent]
+            for k, one in enumerate(children):
+                covering = [name_of(o) for o in children[k + 1 :] if o.geometry().intersects(one.geometry())]
+                assert covering == [], name_of(one)
+        # the largest values have room too
+        window.filters.fields["high_pass_end"].setValue(22_050)
+        window.filters.fields["low_pass_end"].setValue(22_050)
+        window.filters.fields["intensity_low"].setValue(-120)
+        window.analysis.thresholds.rows["silence_zero_crossings"].number.setValue(2047)
+        window.analysis.thresholds.rows["p_energy_n"].number.setValue(256)
+        assert clipped([w for w in texts(window) if isinstance(w, QDoubleSpinBox)]) == {}
 
 
 def test_the_window_fits_on_a_small_screen_even_with_a_banner_and_curves(desktop, qtbot, tmp_path):
@@ -112,10 +112,9 @@ def fits(window) -> bool:
     return least.width() <= SMALLEST[0] and least.height() <= SMALLEST[1]
 
 
-def test_every_page_fits_on_a_small_screen_whatever_is_heard(desktop, qtbot):
-    window = shown(desktop, qtbot, None)
+def test_every_page_fits_on_a_small_screen_whatever_is_heard(window, desktop, qtbot):
     bar = window.transport
-    for page, kind in ((0, None), (1, None), (2, None), *((0, kind) for kind in ToneKind)):
+    for page, kind in ((2, None), *((0, kind) for kind in ToneKind), (1, None)):
         window.resize(1280, 800)
         if kind is not None:
             desktop.session.set_source(SourceKind.TONE)
@@ -130,22 +129,7 @@ def test_every_page_fits_on_a_small_screen_whatever_is_heard(desktop, qtbot):
         in_bar = [w for w in bar.findChildren(QWidget) if w.isVisible() and w.parentWidget() in (bar, bar.tone)]
         assert [w for w in in_bar if not w.parentWidget().rect().contains(w.geometry())] == [], kind
         assert clipped(texts(bar)) == {}, kind
-
-
-def test_the_guided_calibration_fits_on_a_small_screen(desktop, qtbot):
-    window = shown(desktop, qtbot, None)
-    window.show_page(1)
-    page = window.calibration
-    page.right.setCurrentWidget(page.guide)
-    for phase in Phase:
-        desktop.calibration.guide._show(phase)
-        qtbot.waitUntil(lambda: fits(window))
-
-
-def test_the_tabs_of_the_calibration_can_be_scrolled_where_they_are_narrow(desktop, qtbot):
-    window = shown(desktop, qtbot, None)
-    window.show_page(1)
-    window.resize(*SMALLEST)
+    # tabs of the calibration can be scrolled where they are narrow
     tabs = window.calibration.workbench.tabs
     for number in range(1, tabs.count()):
         tabs.setCurrentIndex(number)
@@ -155,6 +139,11 @@ def test_the_tabs_of_the_calibration_can_be_scrolled_where_they_are_narrow(deskt
         hidden = view.width() - scrolled.viewport().width()
         assert view.width() >= view.minimumSizeHint().width()
         assert scrolled.horizontalScrollBar().maximum() == max(0, hidden)
+    page = window.calibration
+    page.right.setCurrentWidget(page.guide)
+    for phase in Phase:
+        desktop.calibration.guide._show(phase)
+        qtbot.waitUntil(lambda: fits(window))
 
 
 def is_seen(area: QScrollArea) -> bool:
@@ -185,19 +174,16 @@ def test_nothing_scrolls_sideways_at_any_size_with_any_recogniser(settings, requ
 
 
 @pytest.mark.usefixtures("own_desktop")
-@pytest.mark.parametrize(("width", "together"), [(1016, True), (1280, False)])
-def test_a_window_opens_within_the_screen_and_a_narrow_one_has_the_filters_behind_the_thresholds(
-    desktop, qtbot, width, together
-):
+def test_a_window_opens_within_the_screen_and_a_narrow_one_has_the_filters_behind_the_thresholds(desktop, qtbot):
     window, available = desktop.window, desktop.window.screen().availableSize()
     assert available.width() < 1280  # else this says nothing
     assert window.width() < available.width()
     assert window.height() < available.height()
-    window.resize(width, 700)
+    window.resize(1016, 700)
     window.show()
     qtbot.waitExposed(window)
     filters, thresholds = (window.findChild(QDockWidget, name) for name in ("Filters", "Thresholds"))
-    assert (filters in window.tabifiedDockWidgets(thresholds)) is together
+    assert filters in window.tabifiedDockWidgets(thresholds)
     qtbot.waitUntil(lambda: not thresholds.visibleRegion().isEmpty())
     window.show_page(1)
     window.show_page(0)
@@ -206,9 +192,25 @@ def test_a_window_opens_within_the_screen_and_a_narrow_one_has_the_filters_behin
     assert window.analysis.thresholds.parentWidget().width() <= thresholds.width()
 
 
-def test_docks_give_way_when_the_window_becomes_narrow_and_come_back_as_wide_as_they_were(desktop, qtbot):
-    window = shown(desktop, qtbot)
+def test_all_docks_are_seen_give_way_when_the_window_becomes_narrow_and_come_back_as_wide(window, qtbot):
+    page = window.analysis
+    for view in (
+        window.transport,
+        page.spectrum,
+        page.averaged,
+        page.waveform,
+        page.scroll_view,
+        window.filters,
+        page.phoneme,
+        page.thresholds,
+    ):
+        assert view.isVisible()
+        assert view.width() >= 200
+        assert view.height() >= 30
+    assert page.waveform.graphics.height() >= 90
+    assert page.spectrum.graphics.height() >= 120
     filters, thresholds = (window.findChild(QDockWidget, name) for name in ("Filters", "Thresholds"))
+    assert filters not in window.tabifiedDockWidgets(thresholds)
     width = filters.width()
     window.resize(1016, 700)
     qtbot.waitUntil(lambda: filters in window.tabifiedDockWidgets(thresholds))
@@ -250,22 +252,3 @@ def dock_tabs(window: QWidget) -> list[QTabBar]:
     """The tab bars of docks that are seen."""
     direct = Qt.FindChildOption.FindDirectChildrenOnly
     return [tabs for tabs in window.findChildren(QTabBar, "DockTabs", direct) if tabs.isVisible()]
-
-
-def test_every_dialog_and_dock_can_be_seen_at_once(desktop, qtbot):
-    window = shown(desktop, qtbot, None)
-    for view in (
-        window.transport,
-        window.analysis.spectrum,
-        window.analysis.averaged,
-        window.analysis.waveform,
-        window.analysis.scroll_view,
-        window.filters,
-        window.analysis.phoneme,
-        window.analysis.thresholds,
-    ):
-        assert view.isVisible()
-        assert view.width() >= 200
-        assert view.height() >= 30
-    assert window.analysis.waveform.graphics.height() >= 90
-    assert window.analysis.spectrum.graphics.height() >= 120

@@ -54,24 +54,32 @@ def test_every_control_has_a_tip_and_a_name_and_is_reached_with_tab(booth: Booth
         assert [name_of(w) if hasattr(w, "text") else w.accessibleName() for w in missed] == [], page
 
 
-def test_f1_lists_the_keys_of_microphone_and_recording(booth: Booth):
-    press(booth.window, Qt.Key.Key_F1)
-    dialog = booth.window.findChild(ShortcutsDialog)
+def test_invitation_keys_and_status_line_fit_the_source_and_none_needs_more_than_1280_pixels(
+    booth: Booth, mic: HandDrivenMicrophone
+):
+    window = booth.window
+    booth.until(lambda: "Latency" in booth.status, mic)
+    invitations = {}
+    for source in ("Tone", "File", "Microphone"):
+        choose(window.transport.source, source)
+        invitations[source] = window.analysis.scroll_view._hint.toPlainText()
+    assert "R to record" in invitations["Microphone"]
+    assert "tone" in invitations["Tone"]
+    assert invitations["File"] == "Press Space to play"
+    booth.desktop.preset.load(DEFAULT_PRESET)
+    window.status.refresh(frozen=False)
+    assert "Model: encoder, look-ahead 20 ms" in window.status.left.text()
+    for page in PAGES:
+        turned_to(booth, page)
+        assert window.minimumSizeHint().width() <= 1280, page
+        assert window.transport.minimumSizeHint().width() <= 1280, page
+    press(window, Qt.Key.Key_F1)
+    dialog = window.findChild(ShortcutsDialog)
     assert dialog.width() <= dialog.screen().availableSize().width()
     text = dialog.list.text()
     for name, key in {"Record": "R", "Rescan Audio Devices": "F5", "Measure Latency with Clicks": "Ctrl+M"}.items():
         assert f"<td>{name}&nbsp;&nbsp;&nbsp;</td><td>{key}</td>" in text
     dialog.close()
-
-
-def test_the_invitation_fits_the_source(booth: Booth):
-    invitations = {}
-    for source in ("Tone", "Microphone", "File"):
-        choose(booth.window.transport.source, source)
-        invitations[source] = booth.window.analysis.scroll_view._hint.toPlainText()
-    assert "R to record" in invitations["Microphone"]
-    assert "tone" in invitations["Tone"]
-    assert invitations["File"] == "Press Space to play"
 
 
 @pytest.mark.parametrize("size", SIZES, ids=lambda size: f"{size[0]}x{size[1]}")
@@ -98,18 +106,3 @@ def test_every_text_has_room_while_it_records_and_says_the_most(open_booth: Open
         clipped = {name_of(w): room_and_need(w) for w in texts if room_and_need(w)[0] < room_and_need(w)[1]}
         outside = [name_of(w) for w in texts if not w.parentWidget().rect().contains(w.geometry())]
         assert (clipped, outside) == ({}, []), page
-
-
-def test_no_page_makes_the_window_wider_than_1280_pixels(booth: Booth, mic: HandDrivenMicrophone):
-    booth.until(lambda: "Latency" in booth.status, mic)
-    for page in PAGES:
-        window = turned_to(booth, page)
-        assert window.minimumSizeHint().width() <= 1280, page
-        assert window.transport.minimumSizeHint().width() <= 1280, page
-
-
-def test_the_status_line_says_how_far_a_microphone_is_looked_ahead(booth: Booth) -> None:
-    window = turned_to(booth, "Microphone")
-    booth.desktop.preset.load(DEFAULT_PRESET)
-    window.status.refresh(frozen=False)
-    assert "Model: encoder, look-ahead 20 ms" in window.status.left.text()

@@ -101,39 +101,31 @@ def shares(booth: Booth) -> dict[str, int]:
     return {name: int(number) for name, number in (word.split(" ") for word in words)}
 
 
-def test_the_latency_is_the_sum_of_its_parts(booth: Booth, mic: HandDrivenMicrophone):
+def test_the_latency_is_the_sum_of_its_parts_and_judged_while_something_comes(
+    booth: Booth, mic: HandDrivenMicrophone
+):
+    status = booth.window.status
     mic.delay = 0.033
-    booth.until(lambda: "capture 33" in booth.window.status.chips.late.toolTip(), mic)
+    booth.until(lambda: "capture 33" in status.chips.late.toolTip(), mic)
     parts = shares(booth)
     assert list(parts) == ["capture", "window", "hop", "analysis", "display"]
     assert (parts["window"], parts["hop"]) == (23, 5)
-    assert booth.window.status.latency_ms == pytest.approx(sum(parts.values()), abs=2.6)
-    assert f"Latency {booth.window.status.latency_ms:.0f} ms" in booth.status
-
-
-def test_a_latency_is_judged_at_45_and_90_ms(booth: Booth):
+    assert status.latency_ms == pytest.approx(sum(parts.values()), abs=2.6)
+    assert f"Latency {status.latency_ms:.0f} ms" in booth.status
     for seconds, words, colour in (
         (0.045, "not noticeable", "good"),
         (0.0451, "noticeable", "faint"),
         (0.09, "noticeable", "faint"),
         (0.0901, "too high", "bad"),
     ):
-        assert booth.window.status.judged(seconds) == (words, getattr(booth.window.theme, colour))
-
-
-def test_a_slow_card_is_too_late_and_the_reason_is_a_tool_tip(booth: Booth, mic: HandDrivenMicrophone):
+        assert status.judged(seconds) == (words, getattr(booth.window.theme, colour))
     mic.delay = 0.1
     booth.until(lambda: "ms (too high)" in booth.status, mic)
-    late = booth.window.status.chips.late
-    assert booth.window.theme.bad in late.styleSheet()
-    assert "ITU-R BT.1359" in late.toolTip()
-
-
-def test_no_latency_is_claimed_while_nothing_comes(booth: Booth, mic: HandDrivenMicrophone):
-    booth.until(lambda: "Latency" in booth.status, mic)
-    booth.until(lambda: "Latency" not in booth.window.status.chips.words())
-    assert booth.window.status.latency_ms is None
-    assert booth.window.status.chips.late.toolTip().endswith("being measured")
+    assert booth.window.theme.bad in status.chips.late.styleSheet()
+    assert "ITU-R BT.1359" in status.chips.late.toolTip()
+    booth.until(lambda: "Latency" not in status.chips.words())
+    assert status.latency_ms is None
+    assert status.chips.late.toolTip().endswith("being measured")
     choose(booth.window.transport.source, "File")
     booth.until(lambda: "late" not in booth.status)
     assert "lost" not in booth.status

@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 import soundfile
 
+from phonemeanalyser.cli.main import main
 from phonemeanalyser.server.file_process import CODE
 from phonemeanalyser.server.files import check_answer, limit_memory
 from phonemeanalyser.server.limits import FAILED, RefusedError, ServerLimits
@@ -56,9 +57,11 @@ def told(answer: tuple[int, str, bytes]) -> tuple[int, str]:
     return status, sentence
 
 
-def test_a_face_is_sent_as_one(server: str) -> None:  # and what is in files: tests/server/test_ways.py
-    status, kind, content = exported(server, format="gltf")
-    assert (status, kind, content[:4]) == (200, "model/gltf-binary", b"glTF")
+def test_a_file_is_what_the_command_line_writes(server: str, tmp_path: Path) -> None:
+    sound, expected = tmp_path / "sound", tmp_path / "mouth.glb"
+    sound.write_bytes(SOUND)
+    assert main(["export", str(sound), "--format", "gltf", "-o", str(expected)]) == 0
+    assert exported(server, format="gltf") == (200, "model/gltf-binary", expected.read_bytes())
 
 
 @pytest.mark.parametrize(

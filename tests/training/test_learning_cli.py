@@ -192,7 +192,7 @@ def test_what_cannot_be_adapted_is_refused_in_one_sentence(takes, tmp_path, monk
 def test_training_writes_a_model_and_a_card_that_tells_of_it(corpus, tmp_path, capsys):
     out = tmp_path / "mine.npz"
     (tmp_path / "groups.toml").write_text('validation = ["human_test/bob"]\n')
-    arguments = ["--epochs", "1", "--width", "8", "--variations", "0", "--seed", "5"]
+    arguments = ["--epochs", "1", "--width", "8", "--variations", "1", "--seed", "5"]
     arguments += ["--groups", str(tmp_path / "groups.toml")]
     assert main(["train", str(corpus), "-o", str(out), *arguments]) == 0
     said = capsys.readouterr().out
@@ -215,7 +215,7 @@ def test_training_writes_a_model_and_a_card_that_tells_of_it(corpus, tmp_path, c
     for told in (
         "# mine",
         "Seed 5, 1 epochs",
-        "in 0 variations",
+        "in 1 variations",
         "| human_test/ann | en | 0.5 | CC0 | made up |",
         "| **real-time, people** | 0.5 |",
         "| **offline, all** | 0.5 |",

@@ -56,10 +56,8 @@ def movestate_of(name: str, offsets: ArrayLike, *, interactable: bool = True) ->
     """
     with np.errstate(over="ignore"):
         dense = np.asarray(offsets, np.float32).reshape(-1, 3)
-    x, y, z = dense.T
-    moving = np.flatnonzero((x != 0) | (y != 0) | (z != 0))  # a few of all, whose lengths are worth computing
     # A NaN stays in, so that it is refused below.
-    moving = moving[~(np.sqrt(np.square(dense[moving].astype(np.float64)).sum(axis=1)) <= LEAST_MOVE)]
+    moving = np.flatnonzero(~(np.sqrt(np.square(dense.astype(np.float64)).sum(axis=1)) <= LEAST_MOVE))
     return movestate_at(name, moving, dense[moving], interactable=interactable)
 
 

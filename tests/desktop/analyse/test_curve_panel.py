@@ -56,19 +56,31 @@ def labelled_folder(folder):
     return folder / "corpus"
 
 
-def test_file_and_selection_are_rows_of_the_table(desktop, window, curves, qtbot):
+def test_file_and_selection_are_rows_of_the_table_renamed_in_place_and_hidden_by_their_box(
+    desktop, window, curves, qtbot
+):
+    table, drawn = window.curves.list, window.analysis.averaged
     choose(window, "Add", "This File")
     desktop.session.view.select(TimeSpan(0.5, 1.25))
     choose(window, "Add", "Selection")
     added(window, curves, qtbot, 2)
     assert [cell(window, row, NAME) for row in range(2)] == ["cards", "cards 0.50-1.25 s"]
-    assert window.curves.list.columnWidth(NAME) >= window.curves.list.sizeHintForColumn(NAME)  # none is cut
+    assert table.columnWidth(NAME) >= table.sizeHintForColumn(NAME)  # none is cut
     assert cell(window, 1, SECONDS) == "0.8"
     assert float(cell(window, 1, LEVEL)) == pytest.approx(curves.curves[1].level, abs=0.05)
     assert cell(window, 1, FILTERS) == "5.5 kHz, High-pass, Normalise"
-    assert "75 frames" in window.curves.list.item(1, NAME).toolTip()
-    assert window.analysis.averaged.is_empty is False
-    assert len(window.analysis.averaged.item.curves) == 3
+    assert "75 frames" in table.item(1, NAME).toolTip()
+    assert drawn.is_empty is False
+    assert len(drawn.item.curves) == 3
+    table.item(0, NAME).setText("Mara")
+    assert curves.curves[0].name == "Mara"
+    table.item(0, NAME).setText("")
+    assert cell(window, 0, NAME) == "Mara"
+    table.item(0, NAME).setCheckState(Qt.CheckState.Unchecked)
+    assert curves.curves[0].hidden
+    assert len(drawn.item.curves) == 2
+    table.item(0, NAME).setCheckState(Qt.CheckState.Checked)
+    assert not curves.curves[0].hidden
 
 
 def test_the_average_of_a_selection_is_saved_without_any_playing(desktop, window, curves, qtbot, tmp_path):
@@ -83,55 +95,32 @@ def test_the_average_of_a_selection_is_saved_without_any_playing(desktop, window
     assert load_averaged_spectrum(tmp_path / "cards 0.50-1.25 s.csv").is_same(curves.curves[0])
 
 
-def test_a_row_is_renamed_in_place_and_hidden_by_its_box(window, curves, qtbot):
-    choose(window, "Add", "This File")
-    added(window, curves, qtbot, 1)
-    window.curves.list.item(0, NAME).setText("Mara")
-    assert curves.curves[0].name == "Mara"
-    window.curves.list.item(0, NAME).setText("")
-    assert cell(window, 0, NAME) == "Mara"
-    window.curves.list.item(0, NAME).setCheckState(Qt.CheckState.Unchecked)
-    assert curves.curves[0].hidden
-    assert len(window.analysis.averaged.item.curves) == 1
-    window.curves.list.item(0, NAME).setCheckState(Qt.CheckState.Checked)
-    assert not curves.curves[0].hidden
-
-
-def test_several_are_hidden_and_removed_at_a_time_and_undo_restores_them(desktop, window, curves, qtbot, tmp_path):
+def test_the_matrix_shows_how_the_curves_differ_and_several_are_hidden_and_removed_at_a_time(
+    desktop, window, curves, qtbot, tmp_path
+):
     for name, hertz in (("a", 500), ("b", 1000), ("c", 2000)):
         soundfile.write(tmp_path / f"{name}.wav", tone(hertz, 0.3, 0.5), SAMPLE_RATE)
         window.dialogs.open_sound(tmp_path / f"{name}.wav")
         choose(window, "Add", "This File")
     added(window, curves, qtbot, 3)
+    matrix, expected = window.curves.matrix, curves.differences(curves.curves)
+    for k, other in ((0, 1), (0, 2), (1, 2)):
+        for row, column in ((k, other), (other, k)):
+            assert matrix.item(row, column).text() == f"{expected[k][other].decibels:.1f}"
+    assert [matrix.item(k, k).text() for k in range(3)] == [""] * 3
+    assert expected[0][1].words in matrix.item(0, 1).toolTip()
+    assert "Gray and Markel" in matrix.toolTip()
+    icon = matrix.horizontalHeaderItem(1).icon().pixmap(12).toImage()
+    assert icon.pixelColor(6, 6) == QColor(curves.curves[1].colour)
     window.curves.list.choose([0, 2])
     window.curves.list.item(2, NAME).setCheckState(Qt.CheckState.Unchecked)
     assert [curve.hidden for curve in curves.curves] == [True, False, True]
+    assert not matrix.isVisible()
     window.curves.list.setFocus()
     press(window.curves.list, Qt.Key.Key_Delete)
     assert [curve.name for curve in curves.curves] == ["b"]
     desktop.preset.undo_stack.undo()
     assert [curve.name for curve in curves.curves] == ["a", "b", "c"]
-
-
-def test_the_matrix_shows_how_the_curves_differ(desktop, window, curves, qtbot, tmp_path):
-    for name, hertz in (("a", 500), ("b", 1000)):
-        soundfile.write(tmp_path / f"{name}.wav", tone(hertz, 0.3, 0.5), SAMPLE_RATE)
-        window.dialogs.open_sound(tmp_path / f"{name}.wav")
-        choose(window, "Add", "This File")
-    added(window, curves, qtbot, 2)
-    matrix = window.curves.matrix
-    expected = curves.differences(curves.curves)[0][1]
-    assert [[matrix.item(r, c).text() for c in range(2)] for r in range(2)] == [
-        ["", f"{expected.decibels:.1f}"],
-        [f"{expected.decibels:.1f}", ""],
-    ]
-    assert expected.words in matrix.item(0, 1).toolTip()
-    assert "Gray and Markel" in matrix.toolTip()
-    assert matrix.horizontalHeaderItem(1).icon().pixmap(12).toImage().pixelColor(6, 6) == QColor(
-        curves.curves[1].colour
-    )
-    curves.show([0], on=False)
-    assert not matrix.isVisible()
 
 
 def test_vowels_of_the_speakers_of_a_folder_are_chosen_and_exported(window, curves, qtbot, hand, tmp_path):
@@ -221,14 +210,7 @@ def test_what_is_not_there_is_one_sentence(desktop, window, curves, tmp_path):
     assert curves.curves == ()
 
 
-def test_the_menu_of_the_plot_shows_the_table(window, qtbot):
-    window.findChild(QDockWidget, "Filters").raise_()
-    choose_in_plot = button(window.analysis.averaged, "Curves").menu().actions()
-    next(action for action in choose_in_plot if action.text() == "Show Table").trigger()
-    qtbot.waitUntil(lambda: not window.curves.visibleRegion().isEmpty())
-
-
-def test_its_key_raises_the_table_and_hides_it(window, qtbot):
+def test_its_key_and_the_menu_of_the_plot_raise_the_table(window, qtbot):
     spectra, filters = (window.findChild(QDockWidget, name) for name in ("Spectra", "Filters"))
     filters.raise_()
     qtbot.waitUntil(lambda: not filters.visibleRegion().isEmpty() and spectra.visibleRegion().isEmpty())
@@ -236,5 +218,6 @@ def test_its_key_raises_the_table_and_hides_it(window, qtbot):
     qtbot.waitUntil(lambda: not spectra.visibleRegion().isEmpty())
     press(window, Qt.Key.Key_F8)
     assert spectra.isHidden()
-    press(window, Qt.Key.Key_F8)
-    qtbot.waitUntil(lambda: not spectra.visibleRegion().isEmpty())
+    choose_in_plot = button(window.analysis.averaged, "Curves").menu().actions()
+    next(action for action in choose_in_plot if action.text() == "Show Table").trigger()
+    qtbot.waitUntil(lambda: not window.curves.visibleRegion().isEmpty())

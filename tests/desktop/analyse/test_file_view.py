@@ -43,18 +43,10 @@ def drag(view: FileView, begin: float, end: float, modifiers=Qt.KeyboardModifier
     QTest.mouseRelease(view, left, modifiers, QPoint(round(end), 20))
 
 
-def test_an_opened_file_is_seen_at_once_and_a_microphone_scrolls_by(desktop, panel):
-    page = desktop.window.analysis
-    assert page.over_time.currentWidget() is panel
-    desktop.session.set_source(SourceKind.TONE)
-    assert page.over_time.currentWidget() is page.scroll_view
-    desktop.session.set_source(SourceKind.FILE)
-    assert page.over_time.currentWidget() is panel
-
-
-def test_the_lane_shows_the_phonemes_where_they_are(desktop, panel):
+def test_an_opened_file_is_painted_at_once_and_a_microphone_scrolls_by(desktop, panel):
     view, tracks, seen = panel.view, desktop.session.whole.tracks, desktop.session.view.seen
-    picture = view.grab().toImage()
+    page, picture = desktop.window.analysis, view.grab().toImage()
+    assert page.over_time.currentWidget() is panel
     lane = view.file_layout.rows()[1]
     y = round(lane.top()) + 2
     for share in (0.11, 0.35, 0.52, 0.77):
@@ -64,28 +56,59 @@ def test_the_lane_shows_the_phonemes_where_they_are(desktop, panel):
             expected = QColor(PHONEME_COLOURS[Phoneme(int(around[0]))])
             assert QColor(picture.pixel(round(view.file_layout.x_of(time)), y)) == expected
     assert lane.height() == LANE_HEIGHT
-
-
-def test_sonagram_waveform_and_course_are_painted(panel):
-    picture = panel.view.grab().toImage()
-    for k, least in ((0, 50), (2, 2), (3, 2)):
-        row = panel.view.file_layout.rows()[k]
+    for k, least in ((0, 50), (2, 2), (3, 2)):  # sonagram, waveform and course
+        row = view.file_layout.rows()[k]
         ys = range(round(row.top()) + 1, round(row.bottom()) - 1, 2)
-        found = {picture.pixel(x, y) for x in range(LEFT + 2, LEFT + panel.view.file_layout.width - 2, 3) for y in ys}
+        found = {picture.pixel(x, y) for x in range(LEFT + 2, LEFT + view.file_layout.width - 2, 3) for y in ys}
         assert len(found) >= least, k
+    desktop.session.set_source(SourceKind.TONE)
+    assert page.over_time.currentWidget() is page.scroll_view
+    desktop.session.set_source(SourceKind.FILE)
+    assert page.over_time.currentWidget() is panel
 
 
-def test_the_wheel_zooms_at_the_pointer_and_with_shift_scrolls(desktop, panel):
-    view, seen = panel.view, desktop.session.view.seen
-    x = LEFT + 0.3 * view.file_layout.width
+def test_wheel_arrows_and_buttons_scroll_and_zoom_and_the_page_turns_with_what_is_heard(desktop, panel):
+    view, time, session = panel.view, desktop.session.view, desktop.session
+    seen, x = time.seen, LEFT + 0.3 * panel.view.file_layout.width
     under = view.file_layout.time_at(x)
     turn(view, x, 3)
-    assert desktop.session.view.seen.seconds == pytest.approx(seen.seconds * 0.8**3)
+    assert time.seen.seconds == pytest.approx(seen.seconds * 0.8**3)
     assert view.file_layout.time_at(x) == pytest.approx(under)
-    before = desktop.session.view.seen
+    before = time.seen
     turn(view, x, -1, Qt.KeyboardModifier.ShiftModifier)
-    assert desktop.session.view.seen.start > before.start
-    assert desktop.session.view.seen.seconds == pytest.approx(before.seconds)
+    assert time.seen.start > before.start
+    assert time.seen.seconds == pytest.approx(before.seconds)
+    assert not panel.selection.isEnabled()
+    expected = sorted((view.file_layout.time_at(LEFT + 150), view.file_layout.time_at(LEFT + 60)))
+    drag(view, LEFT + 150, LEFT + 60, Qt.KeyboardModifier.ShiftModifier)
+    assert time.selection == pytest.approx(expected)
+    click(panel.selection)
+    assert time.seen == pytest.approx(expected)
+    click(panel.whole)
+    assert time.seen == TimeSpan(0, session.source.duration)
+    QTest.mouseClick(view, Qt.MouseButton.LeftButton, pos=QPoint(LEFT + 50, 20))
+    assert time.selection is None
+    time.show(TimeSpan(1.0, 2.0))
+    view.setFocus()
+    for key, span in (
+        (Qt.Key.Key_Right, (1.5, 2.5)),
+        (Qt.Key.Key_Up, (1.6, 2.4)),
+        (Qt.Key.Key_Down, (1.5, 2.5)),
+    ):
+        QTest.keyClick(view, key)
+        assert time.seen == pytest.approx(span)
+    press(desktop.window, Qt.Key.Key_End)
+    assert session.source.position == pytest.approx(session.source.duration, abs=0.02)
+    press(desktop.window, Qt.Key.Key_Home)
+    assert session.source.position == 0
+    assert time.seen.start == 0
+    time.show(TimeSpan(0.0, 0.5))
+    session.seek(2.0)
+    assert time.seen.start < 2.0 < time.seen.end
+    click(panel.follow)
+    assert not time.follows
+    session.seek(0.1)
+    assert time.seen.start > 0.1
 
 
 def test_a_drag_scrolls_and_a_click_goes_there(desktop, panel, qtbot):
@@ -104,43 +127,6 @@ def test_a_drag_scrolls_and_a_click_goes_there(desktop, panel, qtbot):
     assert panel.view.grab().toImage() == kept  # all is painted anew
 
 
-def test_shift_and_a_drag_select_and_the_button_shows_what_is_selected(desktop, panel):
-    time = desktop.session.view
-    assert not panel.selection.isEnabled()
-    expected = sorted((panel.view.file_layout.time_at(LEFT + 150), panel.view.file_layout.time_at(LEFT + 60)))
-    drag(panel.view, LEFT + 150, LEFT + 60, Qt.KeyboardModifier.ShiftModifier)
-    assert time.selection == pytest.approx(expected)
-    click(panel.selection)
-    assert time.seen == pytest.approx(expected)
-    click(panel.whole)
-    assert time.seen == TimeSpan(0, desktop.session.source.duration)
-    QTest.mouseClick(panel.view, Qt.MouseButton.LeftButton, pos=QPoint(LEFT + 50, 20))
-    assert time.selection is None
-
-
-def test_arrow_keys_scroll_and_zoom(desktop, panel):
-    time = desktop.session.view
-    time.show(TimeSpan(1.0, 2.0))
-    panel.view.setFocus()
-    QTest.keyClick(panel.view, Qt.Key.Key_Right)
-    assert time.seen == pytest.approx((1.5, 2.5))
-    QTest.keyClick(panel.view, Qt.Key.Key_Up)
-    assert time.seen.seconds == pytest.approx(0.8)
-    QTest.keyClick(panel.view, Qt.Key.Key_Down)
-    assert time.seen == pytest.approx((1.5, 2.5))
-
-
-def test_the_page_turns_with_what_is_heard_unless_switched_off(desktop, panel):
-    time = desktop.session.view
-    time.show(TimeSpan(0.0, 0.5))
-    desktop.session.seek(2.0)
-    assert time.seen.start < 2.0 < time.seen.end
-    click(panel.follow)
-    assert not time.follows
-    desktop.session.seek(0.1)
-    assert time.seen.start > 0.1
-
-
 def test_another_axis_is_measured_anew_and_another_variable_drawn(desktop, panel, qtbot):
     before = panel.view.grab().toImage()
     desktop.window.analysis.sonagram.axis.setCurrentIndex(1)
@@ -152,14 +138,6 @@ def test_another_axis_is_measured_anew_and_another_variable_drawn(desktop, panel
     desktop.window.analysis.courses.choose("volume")
     assert list(panel.view.course_rows()) == ["volume"]
     assert panel.view.grab().toImage() != before
-
-
-def test_home_and_end_go_to_the_ends(desktop, panel):
-    press(desktop.window, Qt.Key.Key_End)
-    assert desktop.session.source.position == pytest.approx(desktop.session.source.duration, abs=0.02)
-    press(desktop.window, Qt.Key.Key_Home)
-    assert desktop.session.source.position == 0
-    assert desktop.session.view.seen.start == 0
 
 
 def test_what_is_drawn_over_the_sonagram_is_seen_read_out_and_switched_off(desktop, panel, qtbot):

@@ -75,14 +75,15 @@ def enter(editor: RuleEditor, at: QTreeWidgetItem, column: int, value: object) -
     menu.close()
 
 
-def test_rules_are_listed_in_the_order_of_decision_with_their_conditions(editor):
+def test_rules_are_listed_in_the_order_of_decision_and_edited_in_place_and_undone(desktop, editor):
     assert texts(editor) == ["1  silence", "2  s", "3  a  otherwise"]
-    condition = item(editor, 1, 0)
+    condition, told = item(editor, 1, 0), list[str]()
     assert [condition.text(column) for column in (NAME, SIGN, LIMIT)] == ["zero crossings", ">", "300"]
     assert not editor.words.isVisibleTo(editor)
-
-
-def test_what_a_cell_holds_is_edited_in_place_and_undone(desktop, editor):
+    editor.tree.choose(0, 0)
+    for key, column in ((Qt.Key.Key_Right, SIGN), (Qt.Key.Key_Right, LIMIT), (Qt.Key.Key_Left, SIGN)):
+        press(editor.tree, key)
+        assert (editor.tree.current_condition, editor.tree.currentColumn()) == (0, column)
     for at, column, value, expected in (
         ((0, None), NAME, Phoneme.P, Rule(Phoneme.P, (QUIET,))),
         ((0, 0), NAME, "energy", Rule(Phoneme.SILENCE, (replace(QUIET, variable="energy"),))),
@@ -94,24 +95,13 @@ def test_what_a_cell_holds_is_edited_in_place_and_undone(desktop, editor):
         desktop.preset.undo_stack.undo()
         assert desktop.preset.preset.rules == OWN
         assert texts(editor)[0] == "1  silence"
-
-
-def test_what_is_no_number_changes_nothing(desktop, editor):
-    told: list[str] = []
     desktop.session.rules.error.connect(told.append)
     enter(editor, item(editor, 0, 0), LIMIT, "much")
     assert desktop.preset.preset.rules == OWN
     assert told == ["Limit is a number, such as 0.25; found much"]
 
 
-def test_left_and_right_go_from_cell_to_cell(editor):
-    editor.tree.choose(0, 0)
-    for key, column in ((Qt.Key.Key_Right, SIGN), (Qt.Key.Key_Right, LIMIT), (Qt.Key.Key_Left, SIGN)):
-        press(editor.tree, key)
-        assert (editor.tree.current_condition, editor.tree.currentColumn()) == (0, column)
-
-
-def test_rules_move_by_keys_and_are_duplicated_and_deleted(desktop, editor):
+def test_rules_move_by_keys_and_are_duplicated_and_deleted_but_the_last(desktop, editor):
     first, second, third = OWN
     editor.tree.choose(1)
     press(editor.tree, Qt.Key.Key_Up, ALT)
@@ -129,6 +119,11 @@ def test_rules_move_by_keys_and_are_duplicated_and_deleted(desktop, editor):
     for _ in range(5):
         desktop.preset.undo_stack.undo()
     assert desktop.preset.preset.rules == OWN
+    editor.tree.choose(0)
+    for _ in range(5):
+        press(editor.tree, Qt.Key.Key_Delete)
+    assert len(desktop.preset.preset.rules) == 1
+    assert not editor.delete.isEnabled()
 
 
 def drag(tree: RuleTree, k: int, to: QPoint) -> None:
@@ -161,15 +156,15 @@ def test_rules_are_dragged_to_between_or_behind_others(desktop, editor):
     assert desktop.preset.preset.rules == OWN
 
 
-def test_the_last_rule_stays(desktop, editor):
-    editor.tree.choose(0)
-    for _ in range(5):
-        press(editor.tree, Qt.Key.Key_Delete)
-    assert len(desktop.preset.preset.rules) == 1
-    assert not editor.delete.isEnabled()
-
-
-def test_a_rule_and_a_condition_are_switched_off_and_kept_in_the_file(desktop, editor, tmp_path):
+def test_rules_are_switched_off_and_kept_in_the_file_and_a_new_one_is_off(desktop, window, editor, tmp_path):
+    editor.phoneme.setCurrentIndex(editor.phoneme.findData(Phoneme.SZ))  # the rules for one phoneme alone
+    assert [item(editor, k).isHidden() for k in range(3)] == [True, False, True]
+    editor.phoneme.setCurrentIndex(0)
+    editor.tree.choose(2)
+    editor.add.click()
+    assert desktop.preset.preset.rules[2:] == (Rule(Phoneme.A, (), enabled=False), OWN[2])
+    assert editor.tree.current_rule == 2
+    desktop.preset.undo_stack.undo()
     item(editor, 0).setCheckState(NAME, Qt.CheckState.Unchecked)
     item(editor, 1, 1).setCheckState(NAME, Qt.CheckState.Unchecked)
     off = replace(OWN[0], enabled=False)
@@ -177,52 +172,32 @@ def test_a_rule_and_a_condition_are_switched_off_and_kept_in_the_file(desktop, e
     assert desktop.preset.preset.rules == (off, half, OWN[2])
     desktop.preset.save(tmp_path / "kept.toml")
     assert load_preset(tmp_path / "kept.toml").rules == (off, half, OWN[2])
-
-
-def test_a_new_rule_is_off_until_it_has_a_condition(desktop, editor):
-    editor.tree.choose(2)
-    editor.add.click()
-    assert desktop.preset.preset.rules[2:] == (Rule(Phoneme.A, (), enabled=False), OWN[2])
-    assert editor.tree.current_rule == 2
-
-
-def test_only_the_rules_for_one_phoneme_are_shown_if_that_is_asked_for(editor):
-    editor.phoneme.setCurrentIndex(editor.phoneme.findData(Phoneme.SZ))
-    assert [item(editor, k).isHidden() for k in range(3)] == [True, False, True]
-
-
-def test_what_changed_while_the_dock_was_behind_another_is_shown_when_it_comes_forward(desktop, window, editor):
     docks = {dock.objectName(): dock for dock in window.findChildren(QDockWidget)}
     docks["Thresholds"].raise_()
     QApplication.processEvents()
     desktop.preset.edit(replace(desktop.preset.preset, rules=OWN[::2]), "test")
-    assert len(texts(editor)) == 3
+    assert len(texts(editor)) == 3  # it lies behind another dock
     docks["Rules"].raise_()
     QApplication.processEvents()
     assert texts(editor) == ["1  silence", "2  a  otherwise"]
 
 
-def test_what_is_wrong_with_a_rule_is_said_beside_it(desktop, editor, qtbot):
+def test_what_is_wrong_with_a_rule_is_said_beside_it_and_the_decision_is_marked(desktop, window, editor, qtbot):
+    rules, preset = desktop.session.rules, desktop.preset
     contrary = replace(OWN[0], conditions=(QUIET, replace(QUIET, sign=">", limit=0.1)))
     hidden = replace(OWN[0], conditions=(replace(QUIET, limit=0.01),))
-    desktop.preset.edit(replace(desktop.preset.preset, rules=(contrary, OWN[0], hidden, OWN[2])), "test")
-    qtbot.waitUntil(lambda: len(desktop.session.rules.faults) == 4)
-    assert desktop.session.rules.faults == (RuleFault.CONTRADICTORY, None, RuleFault.COVERED, None)
+    preset.edit(replace(preset.preset, rules=(contrary, OWN[0], hidden, OWN[2])), "test")
+    qtbot.waitUntil(lambda: len(rules.faults) == 4)
+    assert rules.faults == (RuleFault.CONTRADICTORY, None, RuleFault.COVERED, None)
     assert texts(editor)[0] == "1  silence  ⚠ can never hold"
     assert texts(editor)[2] == "3  silence  ⚠ never reached"
     assert "2 rules" in editor.faults.text()
-
-
-def test_what_never_holds_in_the_open_file_is_said(desktop, window, editor, qtbot):
     window.dialogs.open_sound(CARDS)
     loud = replace(OWN[0], conditions=(replace(QUIET, sign=">", limit=7.0),))
-    desktop.preset.edit(replace(desktop.preset.preset, rules=(loud, *OWN)), "test")
-    qtbot.waitUntil(lambda: desktop.session.rules.faults[:1] == (RuleFault.NEVER,))
+    preset.edit(replace(preset.preset, rules=(loud, *OWN)), "test")
+    qtbot.waitUntil(lambda: rules.faults[:1] == (RuleFault.NEVER,))
     assert texts(editor)[0] == "1  silence  ⚠ never holds here"
-
-
-def test_the_decision_marks_the_conditions_of_the_current_frame(desktop, window, editor):
-    window.dialogs.open_sound(CARDS)
+    preset.edit(replace(preset.preset, rules=OWN), "test")
     desktop.session.analyse_until(1.0)
     trace = desktop.session.results.explain()
     editor.tree.mark(trace)
@@ -249,7 +224,12 @@ def test_rules_of_the_thesis_show_numbers_that_can_be_edited_and_become_own_rule
     assert editor.buttons.isVisibleTo(editor)
 
 
-def test_a_preset_without_rules_says_what_to_do(desktop, window):
+def test_a_preset_without_rules_of_its_own_says_what_to_do(desktop, window):
+    said: list[str] = []
+    desktop.session.rules.error.connect(said.append)
+    window.rule_dialogs.ask_use("energy", Phoneme.A)
+    assert len(said) == 1
+    assert "has no rules of its own" in said[0]
     desktop.preset.set_recogniser("templates")
     editor = window.analysis.rules
     assert "has no rules. Begin with rules from takes" in editor.words.text()
@@ -282,11 +262,3 @@ def test_a_condition_is_added_with_the_limit_that_gains_most_on_the_labels_besid
     assert (added.conditions[0].variable, added.conditions[0].sign) == ("zero_crossings", ">")
     assert added.conditions[0].limit == pytest.approx(trials[-1].condition.limit, rel=1e-4)
     assert (first, last) == (OWN[0], OWN[2])
-
-
-def test_a_variable_is_used_in_no_fixed_rule(window, desktop):
-    said: list[str] = []
-    desktop.session.rules.error.connect(said.append)
-    window.rule_dialogs.ask_use("energy", Phoneme.A)
-    assert len(said) == 1
-    assert "has no rules of its own" in said[0]

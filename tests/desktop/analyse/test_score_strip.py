@@ -73,19 +73,16 @@ def expected(agreement: Agreement) -> list[str]:
     return [f"{share:.1%}" for share in shares]
 
 
-def test_a_labelled_file_has_the_figures_that_score_gives(desktop, strip):
-    agreement = scored(desktop.preset.preset, CARDS)
-    np.testing.assert_array_equal(desktop.session.score.agreement.counts, agreement.counts)
-    assert figures(strip) == expected(agreement)
-    changes = f"{agreement.changes_per_s:.1f} ({agreement.label_changes_per_s:.1f})"
+def test_a_labelled_file_has_the_figures_that_score_gives_and_what_is_seen_its_own(desktop, window, strip, qtbot):
+    whole = scored(desktop.preset.preset, CARDS)
+    np.testing.assert_array_equal(desktop.session.score.agreement.counts, whole.counts)
+    assert figures(strip) == expected(whole)
+    changes = f"{whole.changes_per_s:.1f} ({whole.label_changes_per_s:.1f})"
     assert changes in strip.values["A", "changes_per_s"].text()
-    assert strip.of_what.text() == f"{agreement.seconds:.1f} s labelled: cards.flac"
+    assert strip.of_what.text() == f"{whole.seconds:.1f} s labelled: cards.flac"
     assert "Preset: Thesis" in strip.values["A", "macro_f1"].toolTip()
     assert not strip.ways.isVisible()
     assert not strip.values["B", "macro_f1"].isVisible()
-
-
-def test_what_is_seen_is_scored_alone_and_follows_the_view(desktop, strip, qtbot):
     desktop.session.view.show(TimeSpan(1.0, 2.0))
     choose(desktop, qtbot, Scope.SEEN)
     agreement = desktop.session.score.agreement
@@ -96,7 +93,10 @@ def test_what_is_seen_is_scored_alone_and_follows_the_view(desktop, strip, qtbot
     assert strip.of_what.text() == "1.0 s labelled: cards.flac, 1.0–2.0 s"
     desktop.session.view.show_all()
     settled(desktop, qtbot)
-    assert figures(strip) == expected(scored(desktop.preset.preset, CARDS))
+    assert figures(strip) == expected(whole)
+    click(window.filters.switches["normalise"])  # the file is analysed anew
+    settled(desktop, qtbot)
+    assert figures(strip) == expected(scored(desktop.preset.in_force, CARDS)) != expected(whole)
 
 
 def test_a_drag_tells_what_it_gained_and_lost_since_it_began(desktop, strip, qtbot):
@@ -120,13 +120,6 @@ def test_a_drag_tells_what_it_gained_and_lost_since_it_began(desktop, strip, qtb
     preset.load(preset_path("extended"))
     settled(desktop, qtbot)
     assert desktop.session.score.before is None
-
-
-def test_filters_are_scored_when_the_file_is_analysed_anew(desktop, window, strip, qtbot):
-    before = figures(strip)
-    click(window.filters.switches["normalise"])
-    settled(desktop, qtbot)
-    assert figures(strip) == expected(scored(desktop.preset.in_force, CARDS)) != before
 
 
 def test_a_confusion_is_a_button_that_goes_to_an_example_and_then_to_others(desktop, window, strip, qtbot):
@@ -186,7 +179,9 @@ def test_a_and_b_stand_side_by_side_and_change_places(desktop, window, strip, qt
     assert not strip.values["B", "macro_f1"].isVisible()
 
 
-def test_without_labels_it_says_how_to_get_them(desktop, window, strip, qtbot, tmp_path):
+def test_without_labels_it_says_how_to_get_them_and_leads_to_takes_and_script(
+    desktop, window, strip, qtbot, tmp_path
+):
     bare = Path(shutil.copy(CARDS, tmp_path / "bare.flac"))
     desktop.session.open(bare)
     settled(desktop, qtbot)
@@ -194,6 +189,11 @@ def test_without_labels_it_says_how_to_get_them(desktop, window, strip, qtbot, t
     assert strip.ways.isVisible()
     assert not strip.figures.isVisible()
     assert not any(button.isVisible() for button in strip.confusions)
+    takes, _, script = strip.ways.findChildren(type(strip.confusions[0]))
+    for button, page in ((takes, 1), (script, 2)):
+        click(button)
+        assert window.pages.currentIndex() == page
+        window.show_page(0)
     write_tiers([Tier("phones", (RawLabel(0.0, 0.5, "a", ""),))], bare.with_suffix(".TextGrid"), duration=3.5)
     desktop.session.labels.load(bare.with_suffix(".TextGrid"))
     settled(desktop, qtbot)
@@ -210,17 +210,6 @@ def test_without_labels_it_says_how_to_get_them(desktop, window, strip, qtbot, t
     assert strip.why_not.text() == "No file is open."
     choose(desktop, qtbot, Scope.LOADED)
     assert strip.why_not.text() == "No labelled sound is loaded."
-
-
-def test_buttons_lead_to_takes_labels_and_script(desktop, window, strip, qtbot, tmp_path):
-    desktop.session.open(Path(shutil.copy(CARDS, tmp_path / "bare.flac")))
-    settled(desktop, qtbot)
-    takes, _, script = strip.ways.findChildren(type(strip.confusions[0]))
-    click(takes)
-    assert window.pages.currentIndex() == 1
-    window.show_page(0)
-    click(script)
-    assert window.pages.currentIndex() == 2
 
 
 def test_labels_of_another_sound_and_words_are_refused_in_one_sentence(desktop, window, strip, qtbot, tmp_path):

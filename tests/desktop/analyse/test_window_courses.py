@@ -85,19 +85,16 @@ def test_touching_a_threshold_shows_the_courses_of_its_rule_and_brings_its_panel
     assert list(window.analysis.file.view.course_rows()) == ["m_szsch1", "m_s1"]
     rows = [*window.analysis.file.view.course_rows().values()]
     assert rows[0].bottom() < rows[1].top()
-
-
-def test_a_panel_that_was_closed_stays_closed(window):
     dock = window.findChild(QDockWidget, "Variable")
     dock.close()
     touch(window, "sz_s1")
     assert window.analysis.courses.chosen == "m_s1"
-    assert dock.isHidden()
+    assert dock.isHidden()  # what was closed stays so
 
 
-def test_a_threshold_is_dragged_in_the_course_and_its_slider_follows(desktop, window):
+def test_a_threshold_is_dragged_in_the_course_or_its_slider_clicked_or_typed(desktop, window, qtbot):
     touch(window, "sz_s1")
-    view, preset = window.analysis.file.view, desktop.preset
+    view, preset, row = window.analysis.file.view, desktop.preset, window.analysis.thresholds.rows["sz_s1"]
     before = preset.preset.thresholds.sz_s1
     greatest = values_in(desktop, "m_s1", desktop.session.view.seen).max()
     target = round(0.5 * greatest, 2)
@@ -105,22 +102,24 @@ def test_a_threshold_is_dragged_in_the_course_and_its_slider_follows(desktop, wi
     pull(view, x, y_of(desktop, view, "m_s1", before), y_of(desktop, view, "m_s1", target))
     pixel = 1.08 * greatest / view.course_rows()["m_s1"].height()
     assert preset.preset.thresholds.sz_s1 == pytest.approx(target, abs=pixel)
-    assert window.analysis.thresholds.rows["sz_s1"].slider.value == preset.preset.thresholds.sz_s1
+    assert row.slider.value == preset.preset.thresholds.sz_s1
     assert desktop.session.view.seen.start == 0  # the sound was not scrolled
     press(window, Qt.Key.Key_Z, CONTROL)  # the whole drag
     assert preset.preset.thresholds.sz_s1 == before
-
-
-def test_a_slider_that_is_dragged_moves_the_line_only(desktop, window):
-    slider = window.analysis.thresholds.rows["sz_s1"].slider
-    window.analysis.thresholds.ensureWidgetVisible(slider)
-    touch(window, "sz_s1")
-    view = window.analysis.file.view
+    looked = found(window, qtbot)
+    click(window.analysis.variable.values["seen", 2])
+    assert preset.preset.thresholds.sz_s1 == pytest.approx(looked.seen.greatest, rel=1e-3)
+    press(window, Qt.Key.Key_Z, CONTROL)
+    assert preset.preset.thresholds.sz_s1 == before
+    window.analysis.thresholds.ensureWidgetVisible(row.slider)
     view.grab()
     drawn = view._lanes._kept["m_s1"]
-    drag(slider, 20, 40)
+    drag(row.slider, 20, 40)
     view.grab()
-    assert view._lanes._kept["m_s1"] is drawn
+    assert view._lanes._kept["m_s1"] is drawn  # the line alone has moved
+    found(window, qtbot)
+    type_number(row.number, "12.5")
+    assert [line.value for line in window.analysis.variable.distribution.lines] == [12.5]
 
 
 def test_least_mean_and_greatest_are_those_of_what_is_seen_and_selected(desktop, window, qtbot):
@@ -129,6 +128,9 @@ def test_least_mean_and_greatest_are_those_of_what_is_seen_and_selected(desktop,
     time.show(TimeSpan(1.0, 3.0))
     assert found(window, qtbot).selection is None
     assert panel.values["selection", 0].text() == "–"
+    panel.scope.setCurrentIndex(panel.scope.findData(Scope.SELECTION))
+    assert found(window, qtbot).distribution is None
+    assert panel.distribution._words == "Nothing is selected. Shift+drag over the file to select a segment."
     time.select(TimeSpan(1.5, 2.0))
     looked = found(window, qtbot)
     for name, span in (("seen", TimeSpan(1.0, 3.0)), ("selection", TimeSpan(1.5, 2.0))):
@@ -137,6 +139,14 @@ def test_least_mean_and_greatest_are_those_of_what_is_seen_and_selected(desktop,
         assert getattr(looked, name) == pytest.approx(expected, rel=1e-5)
         shown_values = [float(panel.values[name, k].text()) for k in range(3)]
         assert shown_values == pytest.approx(expected, rel=6e-3)
+    touch(window, "p_p1")
+    time.select(TimeSpan(0.0, 6.0))
+    spread = found(window, qtbot).distribution.spreads[Phoneme.A]
+    view = panel.distribution
+    places = [QPointF(x, y) for x in range(4, view.width(), 9) for y in range(4, view.height(), 5)]
+    place = next(at for at in places if (hit := view.number_at(at)) and hit[:2] == (Phoneme.A, 2))
+    QTest.mouseClick(view, LEFT, pos=place.toPoint())  # a number of a phoneme becomes the threshold
+    assert desktop.preset.preset.thresholds.p_p1 == pytest.approx(spread.maximum, rel=1e-3)
 
 
 def test_since_clear_is_what_was_played(desktop, qtbot):
@@ -155,28 +165,6 @@ def test_since_clear_is_what_was_played(desktop, qtbot):
     window.findChild(QDockWidget, "Phoneme").raise_()
 
 
-def test_a_click_takes_a_value_as_the_threshold_in_one_step_back(desktop, window, qtbot):
-    touch(window, "sz_s1")
-    before, looked = desktop.preset.preset.thresholds.sz_s1, found(window, qtbot)
-    click(window.analysis.variable.values["seen", 2])
-    assert desktop.preset.preset.thresholds.sz_s1 == pytest.approx(looked.seen.greatest, rel=1e-3)
-    press(window, Qt.Key.Key_Z, CONTROL)
-    assert desktop.preset.preset.thresholds.sz_s1 == before
-
-
-def test_a_click_on_a_number_of_a_phoneme_takes_it_as_the_threshold(desktop, window, qtbot):
-    touch(window, "p_p1")
-    desktop.session.view.select(TimeSpan(0.0, 6.0))
-    panel = window.analysis.variable
-    panel.scope.setCurrentIndex(panel.scope.findData(Scope.SELECTION))
-    spread = found(window, qtbot).distribution.spreads[Phoneme.A]
-    view = panel.distribution
-    places = [QPointF(x, y) for x in range(4, view.width(), 9) for y in range(4, view.height(), 5)]
-    place = next(at for at in places if (hit := view.number_at(at)) and hit[:2] == (Phoneme.A, 2))
-    QTest.mouseClick(view, LEFT, pos=place.toPoint())
-    assert desktop.preset.preset.thresholds.p_p1 == pytest.approx(spread.maximum, rel=1e-3)
-
-
 def test_the_distribution_is_by_the_labels_where_there_are_any_and_says_so(desktop, window, qtbot):
     window.analysis.courses.choose("m_s1")
     said = desktop.session.labels.said_frames()
@@ -192,8 +180,10 @@ def test_the_distribution_is_by_the_labels_where_there_are_any_and_says_so(deskt
     assert window.analysis.variable.phonemes.text() == "Phonemes as recognised"
 
 
-def test_the_variable_that_separates_two_sounds_best_comes_first(desktop, window, qtbot):
-    panel = window.analysis.variable
+def test_the_variable_that_separates_two_sounds_best_comes_first_and_is_found_by_what_it_measures(
+    desktop, window, qtbot
+):
+    panel, courses = window.analysis.variable, window.analysis.courses
     panel.one.setCurrentIndex(panel.one.findData(Phoneme.A))
     panel.other.setCurrentIndex(panel.other.findData(Phoneme.I))
     found(window, qtbot)
@@ -207,47 +197,21 @@ def test_the_variable_that_separates_two_sounds_best_comes_first(desktop, window
     assert separations == sorted(separations, reverse=True)
     assert panel.variable.itemText(0).endswith(f"{separations[0]:.0%}")
     assert "energy 3768–5168 Hz  ·  m_s1" in " ".join(panel.variable.itemText(k) for k in range(len(offered)))
-
-
-def test_phonemes_that_the_labels_lack_are_named_where_they_were_to_sort_by(window, qtbot):
-    panel = window.analysis.variable
-    panel.one.setCurrentIndex(panel.one.findData(Phoneme.O))
-    found(window, qtbot)
-    assert panel.about.text() == "Without frames of o, the variables are not sorted by separation."
-
-
-def test_typing_finds_a_variable_by_what_it_measures(window):
-    completer = window.analysis.variable.variable.completer()
+    completer = panel.variable.completer()
     completer.setCompletionPrefix("peak 1077")
     assert completer.completionCount() == 1
     assert "m_ae1" in completer.currentCompletion()
-
-
-def test_a_variable_without_a_band_says_why_it_reads_nothing(desktop, window, qtbot):
-    desktop.preset.add_variable(Variable("above", 9000, 10_000))
-    window.analysis.courses.choose("above")
-    sentence = "above reads 0, since it begins at 9000 Hz and the spectrum ends at 5512 Hz; quantise less."
-    assert window.analysis.variable.about.text() == sentence
-    window.analysis.courses.choose("m_s1")
-    assert not window.analysis.variable.about.isVisible()
-
-
-def test_an_empty_selection_is_one_sentence(desktop, window, qtbot):
-    panel = window.analysis.variable
-    panel.scope.setCurrentIndex(panel.scope.findData(Scope.SELECTION))
-    assert found(window, qtbot).distribution is None
-    assert panel.distribution._words == "Nothing is selected. Shift+drag over the file to select a segment."
-
-
-def test_a_variable_that_is_removed_gives_way_to_the_usual_one(desktop, window):
-    desktop.preset.add_variable(Variable("mine", 3000, 4000))
-    window.analysis.courses.choose("mine")
-    desktop.preset.remove_variable("mine")
-    assert window.analysis.courses.variables == ("energy",)
-
-
-def test_a_typed_number_moves_the_line_in_the_distribution(desktop, window, qtbot):
-    touch(window, "sz_s1")
+    panel.one.setCurrentIndex(panel.one.findData(Phoneme.O))
     found(window, qtbot)
-    type_number(window.analysis.thresholds.rows["sz_s1"].number, "12.5")
-    assert [line.value for line in window.analysis.variable.distribution.lines] == [12.5]
+    assert panel.about.text() == "Without frames of o, the variables are not sorted by separation."
+    panel.one.setCurrentIndex(panel.one.findData(Phoneme.A))
+    found(window, qtbot)
+    desktop.preset.add_variable(Variable("above", 9000, 10_000))
+    courses.choose("above")
+    sentence = "above reads 0, since it begins at 9000 Hz and the spectrum ends at 5512 Hz; quantise less."
+    assert panel.about.text() == sentence
+    courses.choose("m_s1")
+    assert not panel.about.isVisible()
+    courses.choose("above")
+    desktop.preset.remove_variable("above")
+    assert courses.variables == ("energy",)

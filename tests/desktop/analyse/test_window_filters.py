@@ -92,7 +92,7 @@ def differences(speech: np.ndarray, one: Preset, other: Preset) -> set[str]:
     return {name for name in before if not np.array_equal(before[name], after[name])}
 
 
-def test_every_switch_changes_preset_and_spectra_and_back(desktop, window, speech):
+def test_every_switch_changes_preset_and_what_comes_out_and_back(desktop, window, speech):
     before = desktop.preset.preset
     for step in Filter:
         click(window.filters.switches[step])
@@ -103,11 +103,7 @@ def test_every_switch_changes_preset_and_spectra_and_back(desktop, window, speec
         assert ("features" in changed) == (step is not Filter.MEL), step
         click(window.filters.switches[step])
         assert desktop.preset.preset == before
-
-
-def test_the_statistics_switch_changes_phonemes_and_the_intensities_of_silence_only(desktop, window, speech):
-    before = desktop.preset.preset
-    click(window.filters.switches["statistics"])
+    click(window.filters.switches["statistics"])  # phonemes, and the intensities of silence
     assert differences(speech, before, desktop.preset.preset) == {"phonemes", "intensities"}
     click(window.filters.switches["statistics"])
     assert desktop.preset.preset == before
@@ -146,11 +142,22 @@ def test_every_choice_of_a_box_changes_preset_and_spectra(desktop, window, speec
     assert len(set(map(fingerprint_of, presets))) == len(PARAMETERS[name].choices)
 
 
-def test_every_parameter_has_its_field(window):
-    named = {*TYPED, *CHOSEN, "decoder", "change_cost"}
+def test_every_parameter_has_its_field_bounds_push_each_other_along_and_what_is_out_of_range_is_not_taken(
+    desktop, window
+):
+    named, before = {*TYPED, *CHOSEN, "decoder", "change_cost"}, desktop.preset.preset
     assert set(window.filters.fields) == named
     plain = set(AnalysisSettings.__dataclass_fields__) - {"filters", "statistics"}
     assert plain == named | {"live_look_ahead"}  # which has the slider
+    type_number(window.filters.fields["high_pass_start"], "700")
+    assert desktop.preset.preset.settings.high_pass_end == 700
+    assert window.filters.fields["high_pass_end"].value() == 700
+    type_number(window.filters.fields["low_pass_end"], "300")
+    assert desktop.preset.preset.settings.low_pass_start == 300
+    type_number(window.filters.fields["time_smooth"], "7")
+    assert 0 <= desktop.preset.preset.settings.time_smooth <= 1
+    type_number(window.filters.fields["mel_bands"], "3")
+    assert desktop.preset.preset.settings.mel_bands == before.settings.mel_bands
 
 
 def test_a_reset_gives_back_what_the_file_says_of_one_filter_only(desktop, qtbot):
@@ -169,6 +176,13 @@ def test_a_reset_gives_back_what_the_file_says_of_one_filter_only(desktop, qtbot
         assert window.filters.switches[step].isChecked() == saved.settings.has(step)
         click(window.filters.resets[other])
         assert not desktop.preset.has_unsaved_changes
+    click(window.filters.switches["statistics"])
+    for key, names in (("statistics", ["minimum_hold"]), ("intensity", ["intensity_low", "intensity_high"])):
+        for name in names:
+            type_number(window.filters.fields[name], TYPED[name])
+        assert desktop.preset.has_unsaved_changes
+        click(window.filters.resets[key])
+        assert not desktop.preset.has_unsaved_changes
 
 
 def change(window, desktop, name: str) -> None:
@@ -179,37 +193,6 @@ def change(window, desktop, name: str) -> None:
         choices = [value for _, value in PARAMETERS[name].choices]
         k = 0 if getattr(desktop.preset.preset.settings, name) != choices[0] else 1
         window.filters.fields[name].activated.emit(k)
-
-
-@pytest.mark.parametrize(
-    ("key", "names"), [("statistics", ("minimum_hold",)), ("intensity", ("intensity_low", "intensity_high"))]
-)
-def test_statistics_and_intensity_have_resets_too(desktop, qtbot, key, names):
-    window = shown(desktop, qtbot, None)
-    if key in window.filters.switches:
-        click(window.filters.switches[key])
-    for name in names:
-        type_number(window.filters.fields[name], TYPED[name])
-    assert desktop.preset.has_unsaved_changes
-    click(window.filters.resets[key])
-    assert not desktop.preset.has_unsaved_changes
-
-
-def test_bounds_push_each_other_along(desktop, window):
-    type_number(window.filters.fields["high_pass_start"], "700")
-    assert desktop.preset.preset.settings.high_pass_end == 700
-    assert window.filters.fields["high_pass_end"].value() == 700
-    type_number(window.filters.fields["low_pass_end"], "300")
-    assert desktop.preset.preset.settings.low_pass_start == 300
-
-
-def test_a_number_out_of_range_is_not_taken(desktop, window):
-    before = desktop.preset.preset
-    type_number(window.filters.fields["time_smooth"], "7")
-    assert 0 <= desktop.preset.preset.settings.time_smooth <= 1
-    desktop.preset.undo_stack.undo()
-    type_number(window.filters.fields["mel_bands"], "3")
-    assert desktop.preset.preset.settings.mel_bands == before.settings.mel_bands
 
 
 def test_bypass_turns_all_filters_off_and_b_turns_them_back_on(desktop, window, speech):

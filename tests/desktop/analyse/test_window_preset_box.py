@@ -10,7 +10,7 @@ from phonemeengine.presets import files
 from phonemeengine.presets.files import FACTORY_PRESETS, THESIS_PRESET, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.storage.paths import presets_folder
-from tests.desktop.hands import FileAnswers, answer, click, press, shown, type_number
+from tests.desktop.hands import FileAnswers, answer, back_in, click, press, shown, type_number
 
 CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 
@@ -48,10 +48,17 @@ def test_all_factory_presets_are_one_click_apart_and_say_what_they_are_and_how_w
         assert window.preset_box.text() == f"{preset.name} ▾"
 
 
-def test_keys_open_search_move_and_choose(desktop, window):
+def test_keys_open_search_move_choose_and_close(desktop, window, tmp_path):
+    picker = window.preset_box.list
+    desktop.session.play()
+    press(window, Qt.Key.Key_O, CONTROL | SHIFT)
+    QTest.keyClick(picker.search, Qt.Key.Key_Escape)
+    assert not picker.isVisible()
+    assert desktop.session.source.playing  # Escape is else for Stop
+    assert desktop.preset.path == THESIS_PRESET
+    desktop.session.stop()
     window.analysis.variable.variable.setFocus()
     press(window, Qt.Key.Key_O, CONTROL | SHIFT)
-    picker = window.preset_box.list
     assert picker.isVisible()
     assert [line for line in listed(window) if line[0]] == [("✓", "Thesis", desktop.preset.preset.summary)]
     QTest.keyClicks(picker.search, "the")  # as in Templates, too
@@ -64,15 +71,13 @@ def test_keys_open_search_move_and_choose(desktop, window):
     assert desktop.preset.preset.name == "Thesis, anti-aliased"
     assert not desktop.session.source.playing
     assert window.focusWidget() is window.analysis.main_view  # letters are keys again
-
-
-def test_escape_closes_the_list_and_changes_nothing(desktop, window):
-    desktop.session.play()
-    press(window, Qt.Key.Key_O, CONTROL | SHIFT)
-    QTest.keyClick(window.preset_box.list.search, Qt.Key.Key_Escape)
-    assert not window.preset_box.list.isVisible()
-    assert desktop.session.source.playing  # Escape is else for Stop
-    assert desktop.preset.path == THESIS_PRESET
+    save_preset(Preset(name="Ben"), tmp_path / "ben.toml")
+    window.files.show = FileAnswers(tmp_path / "ben.toml")
+    window.preset_box.open_list()
+    QTest.keyClicks(picker.search, "nothing has these words")
+    assert [name for _, name, _ in listed(window)] == ["Open File…"]
+    QTest.keyClick(picker.search, Qt.Key.Key_Return)
+    assert desktop.preset.path == tmp_path / "ben.toml"
 
 
 def test_any_preset_becomes_b_by_key_button_or_command(desktop, window):
@@ -96,38 +101,8 @@ def test_any_preset_becomes_b_by_key_button_or_command(desktop, window):
     assert picker.as_other.text() == "Set as A"
 
 
-def test_a_file_of_any_folder_is_an_entry(desktop, window, tmp_path):
-    save_preset(Preset(name="Ben"), tmp_path / "ben.toml")
-    window.files.show = FileAnswers(tmp_path / "ben.toml")
-    window.preset_box.open_list()
-    QTest.keyClicks(window.preset_box.list.search, "nothing has these words")
-    assert [name for _, name, _ in listed(window)] == ["Open File…"]
-    QTest.keyClick(window.preset_box.list.search, Qt.Key.Key_Return)
-    assert desktop.preset.path == tmp_path / "ben.toml"
-
-
-def test_a_factory_preset_is_remembered_by_its_name_wherever_the_program_lies(desktop, window, settings, tmp_path):
-    window.dialogs.presets.load(Path("templates"))
-    assert settings.value("preset") == "templates"
-    save_preset(Preset(name="Ben"), tmp_path / "ben.toml")
-    window.dialogs.presets.load(tmp_path / "ben.toml")
-    assert Path(str(settings.value("preset"))) == tmp_path / "ben.toml"
-
-
-def test_one_s_own_presets_and_those_used_lately_are_listed(window, tmp_path):
+def test_one_s_own_presets_and_those_used_lately_are_listed_and_remembered(desktop, window, settings, tmp_path):
     assert headings(window).keys() == {"Factory", ""}
-    presets_folder().mkdir(parents=True)
-    save_preset(Preset(name="Anna", notes="Anna, in the studio.\nMore."), presets_folder() / "anna.toml")
-    save_preset(Preset(name="Ben"), tmp_path / "ben.phonemedata")
-    (presets_folder() / "broken.toml").write_text("[")
-    window.dialogs.presets.load(tmp_path / "ben.phonemedata")
-    found = headings(window)
-    assert (found["User"], found["Recent"]) == (["Anna"], ["ben"])
-    assert ("", "Anna", "Anna, in the studio.") in listed(window)
-    assert ("✓", "ben", "The rules of the thesis with the 21 numbers of a PhonemeData file.") in listed(window)
-
-
-def test_an_own_preset_is_saved_into_the_folder_of_own_presets_and_then_listed(desktop, window, tmp_path):
     window.files.show = files_asked = FileAnswers(as_suggested=True)
     type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
     assert window.preset_box.text() == "Thesis* ▾"
@@ -135,6 +110,18 @@ def test_an_own_preset_is_saved_into_the_folder_of_own_presets_and_then_listed(d
     assert files_asked.suggested == [presets_folder() / "thesis-mine.toml"]
     assert window.preset_box.text() == "thesis-mine ▾"
     assert headings(window)["User"] == ["thesis-mine"]
+    (presets_folder() / "thesis-mine.toml").unlink()
+    window.dialogs.presets.load(Path("templates"))
+    assert settings.value("preset") == "templates"  # its name, wherever the program lies
+    save_preset(Preset(name="Anna", notes="Anna, in the studio.\nMore."), presets_folder() / "anna.toml")
+    save_preset(Preset(name="Ben"), tmp_path / "ben.phonemedata")
+    (presets_folder() / "broken.toml").write_text("[")
+    window.dialogs.presets.load(tmp_path / "ben.phonemedata")
+    assert Path(str(settings.value("preset"))) == tmp_path / "ben.phonemedata"
+    found = headings(window)
+    assert (found["User"], found["Recent"][:1]) == (["Anna"], ["ben"])
+    assert ("", "Anna", "Anna, in the studio.") in listed(window)
+    assert ("✓", "ben", "The rules of the thesis with the 21 numbers of a PhonemeData file.") in listed(window)
 
 
 # -- what a PhonemeData file cannot hold ----------------------------------------------------------------------
@@ -142,27 +129,25 @@ def test_an_own_preset_is_saved_into_the_folder_of_own_presets_and_then_listed(d
 
 @pytest.fixture
 def old(desktop, window, tmp_path) -> Path:
-    """A PhonemeData file in hand, with something that it cannot hold."""
+    """A PhonemeData file in hand, and a number that was changed."""
     path = tmp_path / "old.phonemedata"
     path.write_bytes((files.FACTORY / "thesis.phonemedata").read_bytes())
     window.dialogs.presets.load(path)
-    desktop.preset.set_setting("hysteresis", 0.5)
     type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
     return path
 
 
-def test_numbers_alone_are_saved_without_a_question(desktop, window, tmp_path, hand):
-    path = tmp_path / "old.phonemedata"
-    path.write_bytes((files.FACTORY / "thesis.phonemedata").read_bytes())
-    window.dialogs.presets.load(path)
-    type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
+def test_numbers_alone_are_saved_without_a_question(window, old, hand):
     press(window, Qt.Key.Key_S, CONTROL)
     assert hand.titles == []
-    assert load_preset(path).thresholds.sz_s1 == 3.5
+    assert load_preset(old).thresholds.sz_s1 == 3.5
     assert not window.isWindowModified()
 
 
-def test_cancel_writes_nothing_and_keeps_all(desktop, window, old):
+def test_who_would_lose_something_is_asked_and_saves_the_numbers_only_or_all_of_it_as_toml(
+    desktop, window, old, qtbot
+):
+    desktop.preset.set_setting("hysteresis", 0.5)
     before = old.read_bytes()
     told = answer("Cancel")
     press(window, Qt.Key.Key_S, CONTROL)
@@ -170,22 +155,19 @@ def test_cancel_writes_nothing_and_keeps_all(desktop, window, old):
     assert old.read_bytes() == before
     assert desktop.preset.preset.settings.hysteresis == 0.5
     assert window.isWindowModified()
-
-
-def test_all_of_it_is_saved_as_toml(desktop, window, old):
-    window.files.show = FileAnswers(as_suggested=True)
-    before = old.read_bytes()
-    answer("Save as TOML…")
-    press(window, Qt.Key.Key_S, CONTROL)
-    saved = load_preset(old.with_suffix(".toml"))
-    assert (saved.settings.hysteresis, saved.thresholds.sz_s1) == (0.5, 3.5)
-    assert old.read_bytes() == before
-    assert not window.isWindowModified()
-
-
-def test_the_numbers_are_saved_with_a_yes_and_the_rest_stays_until_the_next_start(desktop, window, old):
+    back_in(window, qtbot)
     answer("Save 21 Numbers Only")
     press(window, Qt.Key.Key_S, CONTROL)
     assert load_preset(old).thresholds.sz_s1 == 3.5
-    assert desktop.preset.preset.settings.hysteresis == 0.5
+    assert desktop.preset.preset.settings.hysteresis == 0.5  # until the next start
+    assert not window.isWindowModified()
+    before = old.read_bytes()
+    back_in(window, qtbot)
+    type_number(window.analysis.thresholds.rows["sz_s1"].number, "4.5")
+    window.files.show = FileAnswers(as_suggested=True)
+    answer("Save as TOML…")
+    press(window, Qt.Key.Key_S, CONTROL)
+    saved = load_preset(old.with_suffix(".toml"))
+    assert (saved.settings.hysteresis, saved.thresholds.sz_s1) == (0.5, 4.5)
+    assert old.read_bytes() == before
     assert not window.isWindowModified()

@@ -57,34 +57,40 @@ def close(window):
     return window
 
 
-def test_a_tone_is_a_bright_line_at_its_frequency_for_as_long_as_it_was_heard(window):
-    eyes = TimeEyes(window)
+def test_a_tone_is_a_bright_line_at_its_frequency_and_what_is_seen_is_copied_as_a_table(window):
+    eyes, menu = TimeEyes(window), window.analysis.scroll_view.menu
     for seconds in (-0.1, -1.0, -1.9):
         assert eyes.brightest(seconds) == pytest.approx(ON_BIN, abs=44)  # a bin
     nothing = QColor(window.theme.base)
     assert eyes.colour(eyes.sonagram, -2.5, ON_BIN) == nothing
     assert eyes.colour(eyes.sonagram, -1.0, ON_BIN) != nothing
+    eyes.sonagram.setXRange(-1, -0.5, padding=0)
+    at = place(eyes.graphics, eyes.sonagram, -0.7, eyes.share(ON_BIN))
+    rows = copied(menu, at)
+    assert rows[0][:3] == ["time in the sound (s)", "phoneme", "intensity (0..1)"]
+    nearest = f"level at {32 * 8000 / 255:.1f} Hz (dB)"
+    assert [float(row[0]) for row in rows[1:]] == pytest.approx(np.arange(100, 150) / 100)
+    column = rows[0].index(nearest)
+    assert [float(row[column]) for row in rows[1:]] == pytest.approx([-20] * 50, abs=1)
+    QTest.mouseDClick(eyes.graphics.viewport(), Qt.MouseButton.LeftButton, pos=at)
+    assert eyes.sonagram.viewRange()[0] == pytest.approx([-6, 0])  # the whole again
+    window.analysis.courses.choose("zero_crossings")
+    rows = copied(menu, place(eyes.graphics, eyes.course, -0.7, 10))
+    assert rows[0] == ["time in the sound (s)", "phoneme", "intensity (0..1)", "zero_crossings (per window)"]
+    assert len(rows) == 1 + 200
+    assert float(rows[100][3]) == pytest.approx(2 * ON_BIN * 2048 / 44_100, abs=1)
 
 
-def test_brightness_is_the_level_in_db(close):
-    eyes = TimeEyes(close)
-    assert eyes.brightness(-1.0) == pytest.approx(255 * 40 / 60, abs=4)
-
-
-def test_the_range_darkens_and_brightens(close):
+def test_brightness_is_the_level_in_db_within_a_range_that_may_be_typed(close):
+    assert TimeEyes(close).brightness(-1.0) == pytest.approx(255 * 40 / 60, abs=4)
+    type_number(close.analysis.sonagram.low, "-40")
+    assert TimeEyes(close).brightness(-1.0) == pytest.approx(127, abs=4)
     lightness = []
-    for low, high in ((-60, 0), (-40, 0), (-60, -20), (-25, -15)):
+    for low, high in ((-60, -20), (-25, -15)):
         close.analysis.sonagram.low.setValue(low)
         close.analysis.sonagram.high.setValue(high)
-        eyes = TimeEyes(close)
-        lightness.append(eyes.brightness(-1.0))
-    assert lightness == pytest.approx([170, 127, 255, 127], abs=16)  # of 25 for each dB at the most
-
-
-def test_a_typed_range_counts(close):
-    type_number(close.analysis.sonagram.low, "-40")
-    eyes = TimeEyes(close)
-    assert eyes.brightness(-1.0) == pytest.approx(127, abs=4)
+        lightness.append(TimeEyes(close).brightness(-1.0))
+    assert lightness == pytest.approx([255, 127], abs=16)  # of 25 for each dB at the most
 
 
 def test_a_colour_map_colours_sonagram_and_colour_bar(close):
@@ -102,7 +108,7 @@ def test_a_colour_map_colours_sonagram_and_colour_bar(close):
             assert difference.max() < 12, (name, level)
 
 
-def test_after_more_than_a_minute_the_newest_is_still_at_the_right(desktop, qtbot):
+def test_after_more_than_a_minute_the_newest_is_still_at_the_right_and_no_more_than_a_minute_is_seen(desktop, qtbot):
     window = shown(desktop, qtbot, None)
     window.analysis.sonagram.colours.setCurrentText(GREY)
     sound = np.concatenate((tone(ON_BIN, 62.0), tone(3 * ON_BIN, 2.0)))
@@ -115,24 +121,18 @@ def test_after_more_than_a_minute_the_newest_is_still_at_the_right(desktop, qtbo
     ring = eyes.image
     desktop.session.live.forget()
     assert TimeEyes(window).image == ring
-
-
-def test_the_whole_minute_can_be_seen_and_no_more(desktop, qtbot):
-    window = shown(desktop, qtbot, None)
-    sonagram = TimeEyes(window).sonagram
-    sonagram.setXRange(-1000, 0, padding=0)
-    assert sonagram.viewRange()[0] == pytest.approx([-60, 0])
-    assert TimeEyes(window).course.viewRange()[0] == pytest.approx([-60, 0])
+    eyes.sonagram.setXRange(-1000, 0, padding=0)
+    assert eyes.sonagram.viewRange()[0] == pytest.approx([-60, 0])
+    assert eyes.course.viewRange()[0] == pytest.approx([-60, 0])
 
 
 # -- reading out --------------------------------------------------------------------------------------
 
 
-def test_the_cursor_reads_out_time_phoneme_frequency_and_level(desktop, window, qtbot):
+def test_the_cursor_reads_out_what_lies_under_it(desktop, window, qtbot):
     settle()
-    eyes = TimeEyes(window)
+    eyes, label = TimeEyes(window), window.analysis.scroll_view.cursor_label
     hover(eyes.graphics, eyes.sonagram, -1.0, eyes.share(ON_BIN))
-    label = window.analysis.scroll_view.cursor_label
     qtbot.waitUntil(label.isVisible)
     seconds, phoneme, hertz, level = re.fullmatch(r"([\d.]+) s   (\w+)   (\d+) Hz   (-\d+) dB", label.text()).groups()
     assert float(seconds) == pytest.approx(1.0, abs=0.025)
@@ -141,24 +141,21 @@ def test_the_cursor_reads_out_time_phoneme_frequency_and_level(desktop, window, 
     assert float(hertz) == pytest.approx(ON_BIN, abs=40)
     assert float(level) == pytest.approx(-20, abs=3)
     assert eyes.graphics.rect().contains(label.geometry())
-
-
-def test_over_the_course_the_cursor_reads_out_the_variable(window, qtbot):
+    hover(eyes.graphics, eyes.sonagram, -4.0, eyes.share(ON_BIN))  # where nothing was heard yet
+    qtbot.waitUntil(lambda: not label.isVisible())
     window.analysis.courses.choose("volume")
-    eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.course, -1.0, 0.05)
-    label = window.analysis.scroll_view.cursor_label
     qtbot.waitUntil(label.isVisible)
     assert re.fullmatch(r"[\d.]+ s   \w+   volume 0\.1", label.text())
-
-
-def test_left_of_what_was_heard_there_is_nothing_to_read(window, qtbot):
-    eyes = TimeEyes(window)
     hover(eyes.graphics, eyes.sonagram, -1.0, eyes.share(ON_BIN))
-    label = window.analysis.scroll_view.cursor_label
-    qtbot.waitUntil(label.isVisible)
-    hover(eyes.graphics, eyes.sonagram, -4.0, eyes.share(ON_BIN))
-    qtbot.waitUntil(lambda: not label.isVisible())
+    qtbot.waitUntil(lambda: label.text().endswith(" dB"))
+    results, session = desktop.session.results, desktop.session  # under a still mouse it follows the picture
+    results.add_file_start(session.path, session.channel, 96)
+    window.redraw.refresh_all()
+    assert label.text() == ""  # it lies in the gap before what begins anew
+    results.add_file_start(session.path, session.channel, 30)
+    window.redraw.refresh_all()
+    assert float(label.text().split(" s")[0]) == pytest.approx(0.36, abs=0.025)
 
 
 def test_while_frozen_the_cursor_reads_what_is_drawn(desktop, window, qtbot):
@@ -171,84 +168,37 @@ def test_while_frozen_the_cursor_reads_what_is_drawn(desktop, window, qtbot):
     assert float(label.text().split(" s")[0]) == pytest.approx(1.5, abs=0.025)
 
 
-def test_under_a_still_mouse_the_read_out_follows_the_moving_picture(desktop, window, qtbot):
-    eyes = TimeEyes(window)
-    hover(eyes.graphics, eyes.sonagram, -1.0, eyes.share(ON_BIN))
-    label = window.analysis.scroll_view.cursor_label
-    qtbot.waitUntil(label.isVisible, timeout=30_000)
-    assert float(label.text().split(" s")[0]) == pytest.approx(1.0, abs=0.025)
-    results, session = desktop.session.results, desktop.session
-    results.add_file_start(session.path, session.channel, 96)
-    window.redraw.refresh_all()
-    assert label.text() == ""  # it lies in the gap before what begins anew
-    results.add_file_start(session.path, session.channel, 30)
-    window.redraw.refresh_all()
-    assert float(label.text().split(" s")[0]) == pytest.approx(0.36, abs=0.025)
-
-
 # -- zooming and what the menu does -------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("step", [4, 1])
-def test_the_highest_frequency_is_the_chosen_one_whatever_the_preset_quantises(desktop, window, qtbot, step):
-    desktop.preset.set_setting("quantise", step)
-    wait_for_results(desktop, qtbot)
+def test_the_highest_frequency_is_the_chosen_one_whatever_the_preset_quantises(desktop, window, qtbot):
     top = window.analysis.sonagram.top
-    for k in range(top.count()):
-        top.setCurrentIndex(k)
-        window.redraw.refresh_all()
-        assert desktop.session.sonagram.settings.high == top.currentData()
-        assert TimeEyes(window).brightest(-1.0) == pytest.approx(ON_BIN, abs=top.currentData() / 60)
-
-
-def test_a_double_click_shows_the_whole_again(window):
-    eyes = TimeEyes(window)
-    eyes.sonagram.setXRange(-1, -0.5, padding=0)
-    QTest.mouseDClick(
-        eyes.graphics.viewport(),
-        Qt.MouseButton.LeftButton,
-        pos=place(eyes.graphics, eyes.sonagram, -0.7, eyes.share(ON_BIN)),
-    )
-    assert eyes.sonagram.viewRange()[0] == pytest.approx([-6, 0])
-
-
-def test_the_sonagram_s_values_are_a_table_of_what_is_seen(desktop, window):
-    eyes = TimeEyes(window)
-    eyes.sonagram.setXRange(-1, -0.5, padding=0)
-    rows = copied(window.analysis.scroll_view.menu, place(eyes.graphics, eyes.sonagram, -0.7, eyes.share(ON_BIN)))
-    assert rows[0][:3] == ["time in the sound (s)", "phoneme", "intensity (0..1)"]
-    nearest = f"level at {32 * 8000 / 255:.1f} Hz (dB)"
-    assert [float(row[0]) for row in rows[1:]] == pytest.approx(np.arange(100, 150) / 100)
-    column = rows[0].index(nearest)
-    assert [float(row[column]) for row in rows[1:]] == pytest.approx([-20] * 50, abs=1)
-
-
-def test_the_course_s_values_are_a_table_with_its_unit(window):
-    window.analysis.courses.choose("zero_crossings")
-    eyes = TimeEyes(window)
-    rows = copied(window.analysis.scroll_view.menu, place(eyes.graphics, eyes.course, -0.7, 10))
-    assert rows[0] == ["time in the sound (s)", "phoneme", "intensity (0..1)", "zero_crossings (per window)"]
-    assert len(rows) == 1 + 200
-    assert float(rows[100][3]) == pytest.approx(2 * ON_BIN * 2048 / 44_100, abs=1)
+    for step in (4, 1):
+        desktop.preset.set_setting("quantise", step)
+        wait_for_results(desktop, qtbot)
+        for k in range(top.count()):
+            top.setCurrentIndex(k)
+            window.redraw.refresh_all()
+            assert desktop.session.sonagram.settings.high == top.currentData()
+            assert TimeEyes(window).brightest(-1.0) == pytest.approx(ON_BIN, abs=top.currentData() / 60)
 
 
 # -- phonemes and variables ---------------------------------------------------------------------------
 
 
-def test_the_lane_s_colours_are_the_phonemes(desktop, qtbot):
+def test_the_lane_s_colours_are_the_phonemes_and_the_course_the_variable_with_its_thresholds(desktop, qtbot):
+    def lines() -> list[float]:
+        items = TimeEyes(window).course.items
+        return sorted(line.value() for line in items if isinstance(line, pg.InfiniteLine))
+
     window = followed(desktop, qtbot)
-    eyes, codes = TimeEyes(window), desktop.session.history.phonemes
-    n = desktop.session.history.n
+    history, eyes = desktop.session.history, TimeEyes(window)
+    n, codes = history.n, history.phonemes
     inside = [k for k in range(5, n - 5) if len(set(codes[k - 3 : k + 4])) == 1]
     assert len({codes[k] for k in inside}) >= 4
     for k in inside:
         colour = eyes.colour(eyes.lane, (k + 0.5 - n) * FRAME_PERIOD, 0.95)
         assert colour == QColor(PHONEME_COLOURS[Phoneme(int(codes[k]))])
-
-
-def test_the_course_is_the_variable_over_time(desktop, qtbot):
-    window = followed(desktop, qtbot, seconds=2.0)
-    history = desktop.session.history
     for name, words in {
         "volume": "volume (peak level)",
         "m_szsch1": "energy 1723–2799 Hz",
@@ -262,6 +212,13 @@ def test_the_course_is_the_variable_over_time(desktop, qtbot):
         assert TimeEyes(window).course.viewRange()[1][1] >= y.max()
         (shown,) = (i for i in TimeEyes(window).course.vb.childItems() if isinstance(i, pg.LabelItem))
         assert shown.text == words
+    for name in BUILT_IN_NAMES:
+        window.analysis.courses.choose(name)
+        thresholds = desktop.preset.preset.thresholds
+        assert lines() == sorted(getattr(thresholds, c.threshold) for c in CONDITIONS if c.variable == name)
+    window.analysis.courses.choose("m_s1")
+    type_number(window.analysis.thresholds.rows["sz_s1"].number, "12.5")
+    assert lines() == [12.5]
 
 
 def test_in_a_pause_the_course_is_drawn_anew_where_one_pans_and_when_the_preset_changes(desktop, qtbot, tmp_path):
@@ -296,19 +253,3 @@ def test_a_gap_is_empty_in_sonagram_lane_and_course(desktop, qtbot, tmp_path):
     course = next(i for i in eyes.course.items if isinstance(i, pg.PlotCurveItem))
     x, y = course.getData()
     assert x[np.isnan(y)] == pytest.approx(-1 - np.arange(9.5, 0, -1) / 100)
-
-
-def test_the_thresholds_of_the_chosen_variable_are_lines(desktop, qtbot):
-    window = followed(desktop, qtbot, seconds=1.0)
-
-    def lines() -> list[float]:
-        items = TimeEyes(window).course.items
-        return sorted(line.value() for line in items if isinstance(line, pg.InfiniteLine))
-
-    for name in BUILT_IN_NAMES:
-        window.analysis.courses.choose(name)
-        thresholds = desktop.preset.preset.thresholds
-        assert lines() == sorted(getattr(thresholds, c.threshold) for c in CONDITIONS if c.variable == name)
-    window.analysis.courses.choose("m_s1")
-    type_number(window.analysis.thresholds.rows["sz_s1"].number, "12.5")
-    assert lines() == [12.5]

@@ -48,30 +48,55 @@ def settled(desktop, window, qtbot, frequency: float) -> None:
     qtbot.waitUntil(lambda: peak(window) == pytest.approx(frequency, abs=BIN_WIDTH))
 
 
-def test_a_tone_waits_until_it_is_played_and_is_seen_at_its_frequency(desktop, window, heard, qtbot):
-    assert desktop.session.source.kind is SourceKind.TONE
-    assert not desktop.session.source.playing
+def test_a_tone_waits_until_it_is_played_and_is_seen_at_its_frequency_and_level(desktop, window, heard, qtbot):
+    session = desktop.session
+    assert session.source.kind is SourceKind.TONE
+    assert not session.source.playing
     press(window, Qt.Key.Key_Space)
-    assert desktop.session.source.playing
+    assert session.source.playing
     heard()
     assert peak(window) == pytest.approx(1000, abs=BIN_WIDTH)
     window.resize(1280, 1100)  # so that a pixel of the sonagram is less than two bins high
     assert TimeEyes(window).brightest(-0.1) == pytest.approx(1000, abs=2 * BIN_WIDTH)
     assert window.windowTitle().startswith("Tone - ")
     qtbot.waitUntil(lambda: window.status.left.text().strip().startswith("Tone: sine"))
+    type_number(window.transport.tone.numbers["level"], "-20")
+    heard()
+    assert float(window.analysis.phoneme.meters["vol"]) == pytest.approx(0.1, abs=0.005)
+    press(window, Qt.Key.Key_Down, CONTROL)  # the volume is only what is heard
+    heard()
+    assert session.playback.volume == -3
+    assert float(window.analysis.phoneme.meters["vol"]) == pytest.approx(0.1, abs=0.005)
+    window.analysis.spectrum.setFocus()
+    press(window, Qt.Key.Key_Space)
+    assert not session.source.playing
+    position = session.source.position
+    settle()
+    assert session.source.position == position
+    click(window.transport.play)
+    heard(1)
+    assert session.source.playing
 
 
-def test_whatever_is_chosen_of_a_tone_starts_nothing(desktop, window):
+def test_whatever_is_chosen_of_a_tone_starts_nothing_and_it_has_less_than_a_file(desktop, window):
+    transport, session = window.transport, desktop.session
     choices = (
-        lambda: window.transport.source.activated.emit(window.transport.source.currentIndex()),
-        lambda: choose(window.transport.tone.kind, "vowel"),
-        lambda: choose(window.transport.tone.vowel, "e"),
-        lambda: type_number(window.transport.tone.numbers["F1"], "500"),
+        lambda: transport.source.activated.emit(transport.source.currentIndex()),
+        lambda: choose(transport.tone.kind, "vowel"),
+        lambda: choose(transport.tone.vowel, "e"),
+        lambda: type_number(transport.tone.numbers["F1"], "500"),
     )
     for act in choices:
         act()
-        assert not desktop.session.source.playing
-    assert desktop.session.playback.tone.formants[0].frequency == 500
+        assert not session.source.playing
+    assert session.playback.tone.formants[0].frequency == 500
+    session.play()
+    assert not any(widget.isVisible() for widget in (transport.loop, transport.channel, transport.position_slider))
+    assert transport.volume.isVisible()
+    assert transport.tone.isVisible()
+    assert " / " not in transport.time.text()
+    press(window, Qt.Key.Key_Right, CONTROL)
+    assert session.source.position < 1
 
 
 def test_slider_and_number_move_what_is_seen(desktop, window, heard, qtbot):
@@ -86,17 +111,24 @@ def test_slider_and_number_move_what_is_seen(desktop, window, heard, qtbot):
     assert desktop.session.source.playing
 
 
-def test_every_kind_is_heard_when_it_is_chosen_and_shows_its_own_numbers(desktop, window, heard):
+def test_every_kind_shows_its_own_numbers_and_a_vowel_brings_its_formants_to_the_ear(desktop, window, heard):
     bar = window.transport.tone
-    for kind in [*ToneKind, ToneKind.SINE]:
+    desktop.session.play()
+    for kind in (*ToneKind, ToneKind.SINE, ToneKind.VOWEL):
         choose(bar.kind, kind.value.replace("_", " "))
-        heard()
         assert desktop.session.playback.tone.kind is kind
         assert bar.slider.isVisible() == (kind is ToneKind.SINE)
         assert bar.vowel.isVisible() == bar.unit.isVisible() == (kind is ToneKind.VOWEL)
         assert desktop.session.source.playing
-        newest = desktop.session.history.newest
-        assert newest.features.frame(len(newest) - 1)["volume"] > 0.02
+    heard()
+    assert window.analysis.phoneme.phoneme is Phoneme.A
+    assert float(window.analysis.phoneme.meters["f(g)"].removesuffix(" Hz")) == pytest.approx(120, abs=2)
+    choose(bar.vowel, "u")
+    assert desktop.session.playback.tone.formants == VOWEL_FORMANTS["u"]
+    heard()
+    x, y = window.analysis.spectrum.item.curves[0].getData()
+    below, above = y[(x > 200) & (x < 900)].max(), y[(x > 1100) & (x < 1500)].max()
+    assert below > 10 * above
 
 
 @pytest.mark.long
@@ -115,23 +147,6 @@ def test_white_noise_is_flat_and_pink_noise_falls(desktop, window, heard):
     assert slopes["pink noise"] == pytest.approx(-3, abs=1)
 
 
-def test_a_vowel_has_its_harmonics_and_is_recognised(desktop, window, heard):
-    choose(window.transport.tone.kind, "vowel")
-    heard()
-    assert window.analysis.phoneme.phoneme is Phoneme.A
-    assert float(window.analysis.phoneme.meters["f(g)"].removesuffix(" Hz")) == pytest.approx(120, abs=2)
-
-
-def test_a_vowel_of_the_list_brings_its_formants_to_the_ear(desktop, window, heard):
-    choose(window.transport.tone.kind, "vowel")
-    choose(window.transport.tone.vowel, "u")
-    assert desktop.session.playback.tone.formants == VOWEL_FORMANTS["u"]
-    heard()
-    x, y = window.analysis.spectrum.item.curves[0].getData()
-    below, above = y[(x > 200) & (x < 900)].max(), y[(x > 1100) & (x < 1500)].max()
-    assert below > 10 * above
-
-
 @pytest.mark.long
 def test_a_sweep_rises(desktop, window, heard):
     choose(window.transport.tone.kind, "sweep")
@@ -142,40 +157,6 @@ def test_a_sweep_rises(desktop, window, heard):
     first = peak(window)
     heard(250)
     assert 480 <= first < peak(window) < 800
-
-
-def test_the_level_is_what_is_measured_and_the_volume_only_what_is_heard(desktop, window, heard):
-    type_number(window.transport.tone.numbers["level"], "-20")
-    heard()
-    assert float(window.analysis.phoneme.meters["vol"]) == pytest.approx(0.1, abs=0.005)
-    press(window, Qt.Key.Key_Down, CONTROL)
-    heard()
-    assert desktop.session.playback.volume == -3
-    assert float(window.analysis.phoneme.meters["vol"]) == pytest.approx(0.1, abs=0.005)
-
-
-def test_space_pauses_and_goes_on(desktop, window, heard, qtbot):
-    heard()
-    window.analysis.spectrum.setFocus()
-    press(window, Qt.Key.Key_Space)
-    assert not desktop.session.source.playing
-    n = desktop.session.history.n
-    settle()
-    assert desktop.session.history.n <= n + 40  # what was heard until then is still taken
-    click(window.transport.play)
-    heard()
-    assert desktop.session.source.playing
-
-
-def test_a_file_has_what_a_tone_has_not(desktop, window):
-    desktop.session.play()
-    transport = window.transport
-    assert not any(widget.isVisible() for widget in (transport.loop, transport.channel, transport.position_slider))
-    assert transport.volume.isVisible()
-    assert transport.tone.isVisible()
-    assert " / " not in transport.time.text()
-    press(window, Qt.Key.Key_Right, CONTROL)
-    assert desktop.session.source.position < 1
 
 
 def test_the_file_is_not_lost_by_a_tone(desktop, qtbot):

@@ -21,106 +21,65 @@ def icon_of(button) -> QImage:
     return button.icon().pixmap(20, 20).toImage()
 
 
-def test_a_click_on_play_plays_and_another_one_pauses(desktop, window):
-    before = icon_of(window.transport.play)
-    click(window.transport.play)
-    assert desktop.session.source.playing
-    assert icon_of(window.transport.play) != before
-    click(window.transport.play)
-    assert not desktop.session.source.playing
-    assert icon_of(window.transport.play) == before
-
-
-def test_playing_moves_the_views_on(desktop, window, qtbot):
-    click(window.transport.play)
-    qtbot.waitUntil(lambda: desktop.session.history.n > 40)
-    x, _ = window.analysis.spectrum.item.curves[0].getData()
-    assert len(x) == 256
-    assert window.transport.time.text() != "0:00.0 / 0:03.5"
-    assert desktop.session.source.position > 0.3
-    assert desktop.session.source.player.n_dropped == 0
-
-
-def test_stop_goes_to_the_beginning(desktop, window, qtbot):
-    click(window.transport.play)
-    qtbot.waitUntil(lambda: desktop.session.source.position > 0.1)
-    click(window.transport.stop)
-    assert not desktop.session.source.playing
-    assert desktop.session.source.position == 0
-    assert window.transport.time.text().startswith("0:00.0 /")
-
-
-def test_space_plays_and_escape_stops(desktop, window, qtbot):
+def test_buttons_and_keys_play_pause_stop_and_loop(desktop, window, qtbot):
+    session, transport = desktop.session, window.transport
+    before = icon_of(transport.play)
+    click(transport.play)
+    assert session.source.playing
+    assert icon_of(transport.play) != before
+    click(transport.play)
+    assert not session.source.playing
+    assert icon_of(transport.play) == before
     press(window, Qt.Key.Key_Space)
-    assert desktop.session.source.playing
-    press(window, Qt.Key.Key_Space)
-    assert not desktop.session.source.playing
-    desktop.session.seek(2)
+    assert session.source.playing
+    qtbot.waitUntil(lambda: session.source.position > 0.1)
+    click(transport.stop)
+    assert not session.source.playing
+    assert session.source.position == 0
+    assert transport.time.text().startswith("0:00.0 /")
+    session.seek(2)
     press(window, Qt.Key.Key_Escape)
-    assert desktop.session.source.position == 0
-
-
-def test_keys_go_back_forth_and_home(desktop, window):
-    press(window, Qt.Key.Key_Right, CONTROL)
-    assert desktop.session.source.position == pytest.approx(1, abs=0.02)
-    press(window, Qt.Key.Key_Right, CONTROL)
-    press(window, Qt.Key.Key_Left, CONTROL)
-    assert desktop.session.source.position == pytest.approx(1, abs=0.03)
-    press(window, Qt.Key.Key_Home)
-    assert desktop.session.source.position == 0
-    press(window, Qt.Key.Key_Left, CONTROL)
-    assert desktop.session.source.position == 0
-
-
-def test_l_loops_and_the_button_shows_it(desktop, window):
+    assert session.source.position == 0
     press(window, Qt.Key.Key_L)
-    assert desktop.session.playback.loop
-    assert window.transport.loop.isChecked()
-    click(window.transport.loop)
-    assert not desktop.session.playback.loop
+    assert session.playback.loop
+    assert transport.loop.isChecked()
+    click(transport.loop)
+    assert not session.playback.loop
     assert not window.menus.actions["Loop"].isChecked()
+    texts = [label.text().strip() for label in (window.status.left, window.status.right)]
+    assert texts[0].startswith("cards.flac: 44 100 Hz, mono")
+    assert texts[1] == "No audio device (silent playback)"
+    session.leave_sound()
+    window.files.show = FileAnswers(CARDS)
+    click(transport.open)
+    assert session.path == CARDS
 
 
-def test_a_loop_begins_again_at_the_end(desktop, window, qtbot):
-    click(window.transport.loop)
-    desktop.session.seek(desktop.session.source.duration - 0.1)
-    click(window.transport.play)
-    qtbot.waitUntil(lambda: 0.1 < desktop.session.source.position < 1)
-    assert desktop.session.source.playing
-
-
-def test_a_sound_that_ends_stops_at_the_beginning(desktop, window, qtbot):
-    desktop.session.seek(desktop.session.source.duration - 0.1)
-    click(window.transport.play)
-    qtbot.waitUntil(lambda: not desktop.session.source.playing)
-    assert desktop.session.source.position == 0
-
-
-def test_a_click_on_the_time_line_goes_there(desktop, window):
-    line = window.transport.position_slider
+def test_keys_and_the_time_line_go_back_forth_and_home_and_the_volume_from_full_to_silent(desktop, window):
+    source, line, volume = desktop.session.source, window.transport.position_slider, window.transport.volume
+    for key, position in (
+        (Qt.Key.Key_Right, 1),
+        (Qt.Key.Key_Right, 2),
+        (Qt.Key.Key_Left, 1),
+        (Qt.Key.Key_Left, 0),
+        (Qt.Key.Key_Left, 0),
+    ):
+        press(window, key, CONTROL)
+        assert source.position == pytest.approx(position, abs=0.03)
     for share in (0.25, 0.9):
         click(line, 6 + share * (line.width() - 12))
-        assert desktop.session.source.position == pytest.approx(share * desktop.session.source.duration, abs=0.02)
-
-
-def test_a_drag_along_the_time_line_ends_where_the_mouse_is(desktop, window):
-    line = window.transport.position_slider
+        assert source.position == pytest.approx(share * source.duration, abs=0.02)
+    press(window, Qt.Key.Key_Home)
+    assert source.position == 0
     drag(line, 30, line.width() * 3)
-    assert desktop.session.source.position == pytest.approx(desktop.session.source.duration, abs=0.011)
+    assert source.position == pytest.approx(source.duration, abs=0.011)
     drag(line, 300, -50)
-    assert desktop.session.source.position == 0
-
-
-def test_arrow_keys_move_the_time_line_once_it_has_the_focus(desktop, window):
-    click(window.transport.position_slider, 6)
+    assert source.position == 0
+    click(line, 6)
     press(window, Qt.Key.Key_Right)
-    assert desktop.session.source.position == pytest.approx(1, abs=0.02)
+    assert source.position == pytest.approx(1, abs=0.02)
     press(window, Qt.Key.Key_Left)
-    assert desktop.session.source.position == pytest.approx(0, abs=0.02)
-
-
-def test_the_volume_slider_goes_from_full_to_silent(desktop, window):
-    volume = window.transport.volume
+    assert source.position == pytest.approx(0, abs=0.02)
     drag(volume, volume.width() - 8, 2)
     assert desktop.session.playback.volume == -60
     assert volume.toolTip() == "Muted"
@@ -130,6 +89,19 @@ def test_the_volume_slider_goes_from_full_to_silent(desktop, window):
     assert volume.toolTip() == "Playback volume -57 dB"
     press(window, Qt.Key.Key_Down, CONTROL)
     assert desktop.session.playback.volume == -60
+
+
+def test_a_sound_that_ends_stops_at_the_beginning_unless_it_loops(desktop, window, qtbot):
+    session = desktop.session
+    session.seek(session.source.duration - 0.1)
+    click(window.transport.play)
+    qtbot.waitUntil(lambda: not session.source.playing)
+    assert session.source.position == 0
+    click(window.transport.loop)
+    session.seek(session.source.duration - 0.1)
+    click(window.transport.play)
+    qtbot.waitUntil(lambda: 0.1 < session.source.position < 1)
+    assert session.source.playing
 
 
 def test_the_channel_box_chooses_what_is_analysed(desktop, qtbot, tmp_path):
@@ -160,12 +132,6 @@ def test_the_channel_changes_while_it_plays(desktop, qtbot, tmp_path):
     assert desktop.session.history.extremes("volume")[0] == 0
 
 
-def test_the_status_bar_says_what_plays_where(desktop, window):
-    texts = [label.text() for label in (window.status.left, window.status.right)]
-    assert texts[0].strip().startswith("cards.flac: 44 100 Hz, mono")
-    assert texts[1].strip() == "No audio device (silent playback)"
-
-
 def test_without_a_sound_nothing_can_be_played(desktop, qtbot):
     window = shown(desktop, qtbot, None)
     for widget in (window.transport.play, window.transport.stop, window.transport.position_slider):
@@ -181,28 +147,31 @@ def pictures(window) -> tuple[QImage, QImage]:
     return window.analysis.scroll_view.grab().toImage(), window.analysis.spectrum.grab().toImage()
 
 
-def test_frozen_views_stand_still_while_the_sound_goes_on_and_catch_up_after(desktop, window, qtbot):
-    desktop.session.playback.set_loop(True)  # however long the window takes, the sound goes on
+def test_playing_moves_the_views_on_and_frozen_ones_stand_still_and_catch_up_after(desktop, window, qtbot):
+    session, scrolled = desktop.session, window.analysis.scroll_view
+    press(window, Qt.Key.Key_F)
+    still = scrolled.grab().toImage()
+    session.analyse_until(1)
+    press(window, Qt.Key.Key_F)  # they catch up even when the sound has stopped
+    qtbot.waitUntil(lambda: scrolled.grab().toImage() != still)
+    session.playback.set_loop(True)  # however long the window takes, the sound goes on
+    n = session.history.n
     click(window.transport.play)
-    qtbot.waitUntil(lambda: desktop.session.history.n > 20)
+    qtbot.waitUntil(lambda: session.history.n > n + 40)
+    x, _ = window.analysis.spectrum.item.curves[0].getData()
+    assert len(x) == 256
+    assert window.transport.time.text() != "0:00.0 / 0:03.5"
+    assert session.source.player.n_dropped == 0
     press(window, Qt.Key.Key_F)
     qtbot.waitUntil(lambda: pictures(window) == pictures(window))  # what was begun before the key has been drawn
     still = pictures(window)
     assert window.status.chips.words() == "Frozen"
-    n = desktop.session.history.n
-    qtbot.waitUntil(lambda: desktop.session.history.n > n + 30)
+    n = session.history.n
+    qtbot.waitUntil(lambda: session.history.n > n + 30)
     assert pictures(window) == still
     press(window, Qt.Key.Key_F)
-    qtbot.waitUntil(lambda: window.analysis.scroll_view.grab().toImage() != still[0])
+    qtbot.waitUntil(lambda: scrolled.grab().toImage() != still[0])
     assert window.status.chips.words() == ""
-
-
-def test_frozen_views_catch_up_even_when_the_sound_has_stopped(desktop, window, qtbot):
-    press(window, Qt.Key.Key_F)
-    still = window.analysis.scroll_view.grab().toImage()
-    desktop.session.analyse_until(2)
-    press(window, Qt.Key.Key_F)
-    qtbot.waitUntil(lambda: window.analysis.scroll_view.grab().toImage() != still)
 
 
 def test_clear_empties_the_views(desktop, window):
@@ -219,9 +188,3 @@ def test_clear_empties_the_views(desktop, window):
     for view in (window.analysis.spectrum, window.analysis.averaged, window.analysis.waveform):
         x, _ = view.item.curves[0].getData()
         assert x is None or len(x) == 0
-
-
-def test_the_window_opens_the_sound_that_is_asked_for(desktop, window):
-    window.files.show = FileAnswers(CARDS)
-    click(window.transport.open)
-    assert desktop.session.path == CARDS

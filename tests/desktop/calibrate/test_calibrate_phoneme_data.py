@@ -59,8 +59,10 @@ def number(calibrator: Calibrator, name: str) -> float:
     return getattr(calibrator.booth.desktop.preset.preset.phoneme_data, name)
 
 
-def test_the_table_shows_what_the_engine_measures_for_each_speaker(loaded: Calibrator) -> None:
-    table = panel_of(loaded).table
+def test_the_table_shows_what_the_engine_measures_for_each_speaker_and_a_click_takes_a_value(
+    loaded: Calibrator,
+) -> None:
+    table, before, compare = panel_of(loaded).table, number(loaded, "szsch_szsch1"), loaded.page.workbench.compare
     heads = [table.horizontalHeaderItem(k).text().replace("\n", " ") for k in range(FIRST, table.columnCount())]
     assert heads == [f"{who} {part}" for who in ("all", "ann", "bob") for part in ("min", "mean", "max")]
     rows = {row.name: row for row in number_rows(loaded.model.workbench.features)}
@@ -69,10 +71,6 @@ def test_the_table_shows_what_the_engine_measures_for_each_speaker(loaded: Calib
         shown = [text(loaded, "szsch_szsch1", FIRST + 6 + k, side) for k in range(3)]
         assert shown == [f"{value:.4g}" for value in (found.least, found.mean, found.greatest)]
     assert text(loaded, "a_a1", FIRST, side=1) == "–"  # no recording has an e
-
-
-def test_a_click_takes_a_value_and_undo_gives_the_number_back(loaded: Calibrator) -> None:
-    table, before = panel_of(loaded).table, number(loaded, "szsch_szsch1")
     line = line_of(loaded, "szsch_szsch1")
     table.scrollToItem(table.item(line, FIRST))
     QTest.mouseClick(table.viewport(), LEFT, pos=table.visualItemRect(table.item(line, FIRST)).center())
@@ -82,26 +80,40 @@ def test_a_click_takes_a_value_and_undo_gives_the_number_back(loaded: Calibrator
     table.setCurrentCell(line, FIRST + 2)
     QTest.keyClick(table, Qt.Key.Key_Return)
     assert number(loaded, "szsch_szsch1") == float(text(loaded, "szsch_szsch1", FIRST + 2))
+    assert table.isColumnHidden(OTHER)
+    loaded.booth.desktop.preset.set_other(PresetDocument.read(FACTORY / "thesis-calm.toml"))
+    settle(loaded)
+    loaded.until(lambda: loaded.model.comparison.result is not None)
+    other = load_preset(FACTORY / "thesis-calm.toml").phoneme_data
+    assert text(loaded, "time_smooth", OTHER) == f"{other.time_smooth:.4g}"
+    counts = loaded.model.comparison.result.changed
+    assert compare.changes.item(0, 1).text() == str(counts[0].sum())
+    assert compare.changes.item(0, 2).text() == str(counts[:, 0].sum())
 
 
-def test_a_number_is_typed_and_what_is_none_is_refused(loaded: Calibrator) -> None:
-    table, said = panel_of(loaded).table, []
-    loaded.model.error.connect(said.append)
-    table.item(line_of(loaded, "sz_s1"), VALUE).setText("12,5")
-    assert number(loaded, "sz_s1") == 12.5
-    table.item(line_of(loaded, "sz_s1"), VALUE).setText("much")
-    assert number(loaded, "sz_s1") == 12.5
-    assert text(loaded, "sz_s1", VALUE) == "12.5"
-    table.item(line_of(loaded, "time_smooth"), VALUE).setText("7")
-    assert number(loaded, "time_smooth") == 0
+def test_a_number_is_typed_without_labels_too_and_what_is_none_is_refused(calibrator: Calibrator) -> None:
+    panel, table, said = panel_of(calibrator), panel_of(calibrator).table, list[str]()
+    calibrator.model.error.connect(said.append)
+    assert panel.state.text() == "Record takes or load labelled recordings first."
+    assert not panel.fit_all.isEnabled()
+    assert panel.add.isEnabled()  # a file needs no labels
+    table.item(line_of(calibrator, "sz_s1"), VALUE).setText("12,5")
+    assert number(calibrator, "sz_s1") == 12.5
+    table.item(line_of(calibrator, "sz_s1"), VALUE).setText("much")
+    assert number(calibrator, "sz_s1") == 12.5
+    assert text(calibrator, "sz_s1", VALUE) == "12.5"
+    table.item(line_of(calibrator, "time_smooth"), VALUE).setText("7")
+    assert number(calibrator, "time_smooth") == 0
     assert [sentence.split()[0] for sentence in said] == ["sz_s1", "time_smooth"]
     table.setFocus()
-    table.setCurrentCell(line_of(loaded, "sz_s1") + 1, VALUE)  # the lower of its two lines
+    table.setCurrentCell(line_of(calibrator, "sz_s1") + 1, VALUE)  # the lower of its two lines
     press(table, Qt.Key.Key_Return)
     QTest.keyClicks(QApplication.focusWidget(), "9.5")
     press(QApplication.focusWidget(), Qt.Key.Key_Return)
     QApplication.processEvents()  # Qt commits what was typed a moment later
-    assert number(loaded, "sz_s1") == 9.5
+    assert number(calibrator, "sz_s1") == 9.5
+    calibrator.booth.desktop.preset.load(FACTORY / "extended.toml")
+    assert not panel.add.isEnabled()
 
 
 def test_one_number_is_fitted_and_all_are_each_in_one_step_of_undo(loaded: Calibrator) -> None:
@@ -121,19 +133,6 @@ def test_one_number_is_fitted_and_all_are_each_in_one_step_of_undo(loaded: Calib
     assert preset.preset.successors == spoilt.successors  # which no PhonemeData file holds
     press(loaded.booth.window, Qt.Key.Key_Z, CONTROL)
     assert preset.preset == spoilt
-
-
-def test_two_files_are_compared_number_by_number_and_in_what_they_change(loaded: Calibrator) -> None:
-    table, compare = panel_of(loaded).table, loaded.page.workbench.compare
-    assert table.isColumnHidden(OTHER)
-    loaded.booth.desktop.preset.set_other(PresetDocument.read(FACTORY / "thesis-calm.toml"))
-    settle(loaded)
-    loaded.until(lambda: loaded.model.comparison.result is not None)
-    other = load_preset(FACTORY / "thesis-calm.toml").phoneme_data
-    assert text(loaded, "time_smooth", OTHER) == f"{other.time_smooth:.4g}"
-    counts = loaded.model.comparison.result.changed
-    assert compare.changes.item(0, 1).text() == str(counts[0].sum())
-    assert compare.changes.item(0, 2).text() == str(counts[:, 0].sum())
 
 
 def test_a_set_is_added_for_a_speaker_edited_and_removed(loaded: Calibrator) -> None:
@@ -185,13 +184,3 @@ def test_a_file_becomes_a_set_and_a_bad_one_is_refused(calibrator: Calibrator, t
     assert (child.name, child.low, child.high) == ("child", 60, 500)
     assert child.data == load_preset(tmp_path / "child.phonemedata").phoneme_data
     assert said[0].startswith("bad.phonemedata: line 1: ")
-
-
-def test_without_labels_or_with_another_recogniser_it_says_why_nothing_can_be_fitted(calibrator: Calibrator) -> None:
-    panel = panel_of(calibrator)
-    assert panel.state.text() == "Record takes or load labelled recordings first."
-    assert not panel.fit_all.isEnabled()
-    assert panel.add.isEnabled()  # a file needs no labels
-    assert text(calibrator, "sz_s1", VALUE) == f"{number(calibrator, 'sz_s1'):.4g}"
-    calibrator.booth.desktop.preset.load(FACTORY / "extended.toml")
-    assert not panel.add.isEnabled()

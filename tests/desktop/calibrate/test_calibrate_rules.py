@@ -32,15 +32,30 @@ def loaded(calibrator: Calibrator, tmp_path: Path) -> Calibrator:
     return calibrator
 
 
-def test_rules_are_found_shown_applied_and_undone(loaded: Calibrator):
-    panel, preset = loaded.page.workbench.rules, loaded.booth.desktop.preset
+def test_rules_are_found_shown_applied_and_undone_unless_the_search_is_stopped(
+    calibrator: Calibrator, tmp_path: Path
+):
+    panel, preset, finding = (
+        calibrator.page.workbench.rules,
+        calibrator.booth.desktop.preset,
+        calibrator.model.rule_finding,
+    )
+    assert not panel.begin.isEnabled()
+    assert panel.words.text() == "Record takes or load labelled recordings first."
+    calibrator.model.recordings.load([corpus(tmp_path / "corpus")])
+    calibrator.settle()
     before = preset.preset
-    loaded.page.workbench.tabs.setCurrentIndex(RULES)
+    calibrator.page.workbench.tabs.setCurrentIndex(RULES)
     panel.conditions.setValue(6)
     click(panel.begin, 10)
+    click(panel.stop, 10)
+    calibrator.settle()
+    assert finding.report is None
+    assert preset.preset == before
+    click(panel.begin, 10)
     assert panel.stop.isVisibleTo(panel)
-    loaded.until(lambda: not loaded.model.rule_finding.searching.busy)
-    report = loaded.model.rule_finding.report
+    calibrator.until(lambda: not finding.searching.busy)
+    report = finding.report
     assert report is not None
     n = conditions_in(report.preset.rules)
     assert 1 <= n <= 6
@@ -51,11 +66,11 @@ def test_rules_are_found_shown_applied_and_undone(loaded: Calibrator):
     assert report.after.macro_f1 > report.before.macro_f1
     assert preset.preset == before
     click(panel.accept, 10)
-    loaded.settle()
+    calibrator.settle()
     assert (preset.preset.recogniser, preset.preset.rules) == ("rules", report.preset.rules)
-    assert loaded.model.workbench.confusion.agreement.macro_f1 == pytest.approx(report.after.macro_f1)
+    assert calibrator.model.workbench.confusion.agreement.macro_f1 == pytest.approx(report.after.macro_f1)
     assert not panel.rules.isVisibleTo(panel)
-    press(loaded.booth.window, Qt.Key.Key_Z, CONTROL)
+    press(calibrator.booth.window, Qt.Key.Key_Z, CONTROL)
     assert preset.preset == before
 
 
@@ -82,22 +97,6 @@ def test_rules_of_the_preset_s_variables_ask_for_nothing_else_and_are_discarded(
     click(panel.refuse, 10)
     assert preset.preset == before
     assert not panel.figures.isVisibleTo(panel)
-
-
-def test_rules_need_something_to_be_found_in_and_a_search_can_be_stopped(calibrator: Calibrator, tmp_path: Path):
-    panel = calibrator.page.workbench.rules
-    assert not panel.begin.isEnabled()
-    assert panel.words.text() == "Record takes or load labelled recordings first."
-    calibrator.model.recordings.load([corpus(tmp_path / "corpus")])
-    calibrator.settle()
-    calibrator.page.workbench.tabs.setCurrentIndex(RULES)
-    before = calibrator.booth.desktop.preset.preset
-    click(panel.begin, 10)
-    click(panel.stop, 10)
-    calibrator.settle()
-    assert calibrator.model.rule_finding.report is None
-    assert panel.begin.isEnabled()
-    assert calibrator.booth.desktop.preset.preset == before
 
 
 def test_a_new_rule_is_proposed_for_the_phoneme_of_the_pair_with_the_higher_values(loaded: Calibrator):

@@ -32,26 +32,47 @@ def entries(box: QComboBox) -> list[str]:
 # -- what is heard is seen ----------------------------------------------------------------------------
 
 
-def test_choosing_the_microphone_listens_and_lets_the_files_device_go(open_booth: Open, mic: HandDrivenMicrophone):
-    booth = open_booth(mic)
+def test_choosing_the_microphone_listens_and_space_lets_it_go_and_takes_it_again(
+    open_booth: Open, mic: HandDrivenMicrophone
+):
+    again = HandDrivenMicrophone(name=DESK.label)
+    booth = open_booth(mic, again)
     press(booth.window, Qt.Key.Key_Space)
-    player = booth.desktop.session.source.player
+    session, player, transport = booth.desktop.session, booth.desktop.session.source.player, booth.window.transport
     booth.listen()
     assert player is not None
     booth.until(lambda: not player._thread.is_alive())
-    assert booth.desktop.session.source.player is None
-    booth.hear(mic, HEARD)
-    assert booth.desktop.session.source.kind is SourceKind.MICROPHONE
+    assert session.source.player is None
+    booth.hear(mic, A)
+    booth.go_to_view()
+    press(booth.window, Qt.Key.Key_C)
+    assert session.history.n == 0
+    booth.hear(mic, A)
+    assert session.history.n == 40  # listening goes on
+    assert session.source.kind is SourceKind.MICROPHONE
     assert booth.window.windowTitle().startswith("Microphone - ")
     booth.until(lambda: booth.status.strip().startswith("Microphone: Desk · ALSA, 44 100 Hz"), mic)
-    transport = booth.window.transport
     assert transport.microphone.isVisible()
-    assert not transport.position_slider.isVisible()
-    assert not transport.loop.isVisible()
-    assert not transport.volume.isVisible()
+    assert not any(of_file.isVisible() for of_file in (transport.position_slider, transport.loop, transport.volume))
+    press(booth.window, Qt.Key.Key_Space)
+    assert not session.source.playing
+    booth.until(mic.closed.is_set)
+    booth.until(lambda: "Microphone: not listening" in booth.status)
+    click(transport.play)
+    booth.hear(again, A)
+    booth.until(lambda: "Microphone: Desk" in booth.status, again)
 
 
-def test_a_sine_is_seen_at_its_frequency(booth: Booth, mic: HandDrivenMicrophone):
+def test_a_sine_is_seen_at_its_frequency_and_the_level_meter_holds_and_clips(booth: Booth, mic: HandDrivenMicrophone):
+    listener = booth.studio.model.listener
+    booth.hear(mic, tone(1000, 0.2, 0.25))
+    assert listener.level.held == pytest.approx(0.25, abs=0.001)
+    assert listener.level.clipped_ago is None
+    booth.hear(mic, tone(1000, 0.1, 1.0))
+    assert words_of(listener.level.clipped_ago) == "CLIPPED"
+    assert listener.level.held == pytest.approx(1, abs=0.001)
+    booth.hear(mic, silence(0.5))
+    assert listener.level.peak < 1
     booth.hear(mic, tone(ON_BIN, 1.0, 0.5))
     booth.window.redraw.refresh_all()
     x, y = booth.window.analysis.spectrum.item.curves[0].getData()
@@ -61,7 +82,9 @@ def test_a_sine_is_seen_at_its_frequency(booth: Booth, mic: HandDrivenMicrophone
     assert booth.window.analysis.phoneme.meters["zc"] == f"{2 * ON_BIN * 2048 / 44_100:.0f}"
 
 
-def test_the_phonemes_are_those_of_the_analysis_of_a_file(booth: Booth, mic: HandDrivenMicrophone):
+def test_the_phonemes_are_those_of_the_analysis_of_a_file_until_a_threshold_is_dragged(
+    booth: Booth, mic: HandDrivenMicrophone
+):
     booth.hear(mic, HEARD)
     booth.window.redraw.refresh_all()
     history = booth.desktop.session.history
@@ -71,45 +94,16 @@ def test_the_phonemes_are_those_of_the_analysis_of_a_file(booth: Booth, mic: Han
     assert len(np.unique(found)) > 3
     assert booth.window.analysis.phoneme.phoneme == Phoneme(int(expected[-1]))
     assert booth.frames == list(range(len(expected)))
-
-
-def test_a_dragged_threshold_acts_on_what_comes_next(booth: Booth, mic: HandDrivenMicrophone):
     booth.hear(mic, A)
-    assert booth.desktop.session.history.phonemes[booth.desktop.session.history.n - 1] == Phoneme.A
+    assert history.phonemes[history.n - 1] == Phoneme.A
+    n = history.n
     for name in ("silence_energy", "silence_max_energy"):
         slider = booth.window.analysis.thresholds.rows[name].slider
         drag(slider, slider.width() / 2, slider.width() + 50)
     booth.hear(mic, A)
-    history = booth.desktop.session.history
     phonemes = history.phonemes[history.indices(0, history.n)]
-    assert phonemes[25] == Phoneme.A
+    assert phonemes[n - 15] == Phoneme.A
     assert set(phonemes[-20:]) == {Phoneme.SILENCE}
-
-
-def test_the_level_meter_follows_and_holds_and_clips(booth: Booth, mic: HandDrivenMicrophone):
-    booth.hear(mic, tone(1000, 0.2, 0.25))
-    level = booth.studio.model.listener.level
-    assert level.held == pytest.approx(0.25, abs=0.001)
-    assert level.clipped_ago is None
-    booth.hear(mic, tone(1000, 0.1, 1.0))
-    assert words_of(booth.studio.model.listener.level.clipped_ago) == "CLIPPED"
-    assert booth.studio.model.listener.level.held == pytest.approx(1, abs=0.001)
-    booth.hear(mic, silence(0.5))
-    assert booth.studio.model.listener.level.peak < 1
-
-
-def test_space_lets_the_microphone_go_and_takes_it_again(open_booth: Open, mic: HandDrivenMicrophone):
-    again = HandDrivenMicrophone(name=DESK.label)
-    booth = open_booth(mic, again)
-    booth.listen()
-    booth.hear(mic, A)
-    press(booth.window, Qt.Key.Key_Space)
-    assert not booth.desktop.session.source.playing
-    booth.until(mic.closed.is_set)
-    booth.until(lambda: "Microphone: not listening" in booth.status)
-    click(booth.window.transport.play)
-    booth.hear(again, A)
-    booth.until(lambda: "Microphone: Desk" in booth.status, again)
 
 
 # -- between the sources ------------------------------------------------------------------------------
@@ -139,15 +133,6 @@ def test_opening_a_file_while_it_listens_lets_the_microphone_go(booth: Booth, mi
     assert booth.desktop.session.path == DEMO
 
 
-def test_clear_forgets_what_was_heard_and_listening_goes_on(booth: Booth, mic: HandDrivenMicrophone):
-    booth.hear(mic, A)
-    booth.go_to_view()
-    press(booth.window, Qt.Key.Key_C)
-    assert booth.desktop.session.history.n == 0
-    booth.hear(mic, A)
-    assert booth.desktop.session.history.n == 40
-
-
 @pytest.mark.long
 @pytest.mark.usefixtures("open_own_booth")
 def test_another_theme_goes_on_listening(booth: Booth, mic: HandDrivenMicrophone):
@@ -164,50 +149,33 @@ def test_another_theme_goes_on_listening(booth: Booth, mic: HandDrivenMicrophone
 # -- which microphone ---------------------------------------------------------------------------------
 
 
-def test_the_devices_are_named_the_default_first_and_a_new_one_appears_on_f5(booth: Booth):
-    bar = booth.window.transport.microphone
+def test_device_channel_and_rate_are_opened_as_chosen_and_a_device_that_has_gone_is_marked(booth: Booth):
+    bar, studio = booth.window.transport.microphone, booth.studio
     booth.until(lambda: bar.device.count() == 3)
     assert entries(bar.device) == ["Default microphone", DESK.label, HEADSET.label]
-    booth.studio.devices.append(Device("Interface", "JACK", 4, 4, 96_000, is_default=False))
+    studio.devices.append(Device("Interface", "JACK", 4, 4, 96_000, is_default=False))
     press(booth.window, Qt.Key.Key_F5)
     booth.until(lambda: bar.device.count() == 4)
     assert bar.device.currentText() == "Default microphone"
-    booth.studio.devices.append(Device("Webcam", "ALSA", 1, 0, 16_000, is_default=False))
+    studio.devices.append(Device("Webcam", "ALSA", 1, 0, 16_000, is_default=False))
     click(bar.again)
     booth.until(lambda: "Webcam · ALSA" in entries(bar.device))
-
-
-def test_a_chosen_microphone_that_has_gone_stays_and_is_marked(booth: Booth):
-    bar = booth.window.transport.microphone
-    booth.until(lambda: bar.device.count() == 3)
-    choose(bar.device, HEADSET.label)
-    booth.studio.devices.remove(HEADSET)
-    click(bar.again)
-    booth.until(lambda: bar.device.currentText() == f"{HEADSET.label} (not connected)")
-    booth.studio.devices.append(HEADSET)
-    click(bar.again)
-    booth.until(lambda: bar.device.currentText() == HEADSET.label)
-
-
-def test_device_channel_and_rate_are_opened_as_chosen(booth: Booth):
-    bar = booth.window.transport.microphone
-    booth.until(lambda: bar.device.count() == 3)
     choose(bar.device, DESK.label)
     assert entries(bar.channel) == ["Channel 1", "Channel 2", "1 + 2"]
     choose(bar.channel, "1 + 2")
     choose(bar.rate, "48 000 Hz")
-    booth.until(lambda: booth.studio.openers.asked[-1].rate == 48_000)
-    assert booth.studio.openers.asked[-1] == booth.studio.model.choice
-    assert (booth.studio.model.choice.label, booth.studio.model.choice.channel) == (DESK.label, 0)
-
-
-def test_a_microphone_of_one_channel_is_heard_on_its_first(booth: Booth):
-    bar = booth.window.transport.microphone
-    booth.until(lambda: bar.device.count() == 3)
-    choose(bar.channel, "1 + 2")
+    booth.until(lambda: studio.openers.asked[-1].rate == 48_000)
+    assert studio.openers.asked[-1] == studio.model.choice
+    assert (studio.model.choice.label, studio.model.choice.channel) == (DESK.label, 0)
     choose(bar.device, HEADSET.label)
     assert entries(bar.channel) == ["Channel 1"]
     assert bar.channel.currentText() == "Channel 1"
+    studio.devices.remove(HEADSET)
+    click(bar.again)
+    booth.until(lambda: bar.device.currentText() == f"{HEADSET.label} (not connected)")
+    studio.devices.append(HEADSET)
+    click(bar.again)
+    booth.until(lambda: bar.device.currentText() == HEADSET.label)
 
 
 def test_the_second_channel_is_heard(open_booth: Open):

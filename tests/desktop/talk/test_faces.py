@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from phonemeengine.mouth.files.io import FaceFiles, save_morph_targets
+from phonemeengine.mouth.files.io import FaceFiles, load_morph_mesh, save_morph_targets
 from phonemeengine.mouth.head import Head, load_head
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphTargets, morph_targets_of
@@ -33,71 +33,42 @@ def test_a_mesh_with_other_movestates_is_moved_by_the_table_that_fits(stage: Sta
     assert stage.talking.face.name == "own.glb"
     stage.play(0.9)
     assert stage.talking.percentages["A"] > 20
-    assert not stage.failed
-
-
-def test_movestates_are_named_alike_whoever_wrote_them(stage: Stage, tmp_path: Path) -> None:
-    (tmp_path / "own.glb").write_bytes(face_with_targets(("jaw_open", "Mouth Close")))
-    stage.talking.face.load(FaceFiles(tmp_path / "own.glb"))
+    (tmp_path / "alike.glb").write_bytes(face_with_targets(("jaw_open", "Mouth Close")))  # whoever wrote the names
+    stage.talking.face.load(FaceFiles(tmp_path / "alike.glb"))
     stage.settle()
     stage.talking.press(Phoneme.A)
     stage.wait(0.5)
     assert stage.talking.percentages["jaw_open"] > 20
-
-
-def test_movestates_may_lie_in_a_file_of_their_own(stage: Stage, tmp_path: Path) -> None:
-    (tmp_path / "own.glb").write_bytes(face_with_targets(("smile",)))
-    mesh = stage_mesh(tmp_path / "own.glb")
+    mesh = load_morph_mesh(tmp_path / "own.glb").mesh.positions
     state = movestate_of("jawOpen", [[0, 1, 0]] * len(mesh))
     save_morph_targets(MorphTargets((state,), state.numbers, mesh[state.numbers]), tmp_path / "own.3dm")
-    stage.talking.face.load(FaceFiles(tmp_path / "own.glb", tmp_path / "own.3dm"))
+    stage.talking.face.load(FaceFiles(tmp_path / "own.glb", tmp_path / "own.3dm"))  # from a file of their own
     stage.settle()
     assert list(stage.talking.percentages) == ["jawOpen"]
     assert not stage.failed
 
 
-def stage_mesh(path: Path):
-    from phonemeengine.mouth.files.io import load_morph_mesh
-
-    return load_morph_mesh(path).mesh.positions
-
-
 def test_a_bad_mesh_is_refused_in_one_sentence_and_the_face_stays(stage: Stage, tmp_path: Path) -> None:
-    (tmp_path / "bad.glb").write_bytes(b"glTF" + bytes(40))
     before = stage.talking.face.morph_mesh
-    stage.talking.face.load(FaceFiles(tmp_path / "bad.glb"))
-    stage.settle()
-    (sentence,) = stage.failed
-    assert sentence.startswith("bad.glb: ")
-    assert "\n" not in sentence
-    assert stage.talking.face.morph_mesh is before
-    assert stage.talking.face.head is Head.WOMAN
+    for content, told in (
+        (b"glTF" + bytes(40), "own.glb: "),
+        (face_with_targets(()), ".3dm"),
+        (face_with_targets(("grumpy", "wide")), "grumpy"),  # which no table knows
+    ):
+        (tmp_path / "own.glb").write_bytes(content)
+        stage.talking.face.load(FaceFiles(tmp_path / "own.glb"))
+        stage.settle()
+        (sentence,) = stage.failed
+        assert told in sentence
+        assert "\n" not in sentence
+        assert (stage.talking.face.morph_mesh is before) == (told != "grumpy")
+        stage.failed.clear()
 
 
-def test_a_mesh_without_movestates_is_refused_with_what_to_do(stage: Stage, tmp_path: Path) -> None:
-    (tmp_path / "still.glb").write_bytes(face_with_targets(()))
-    stage.talking.face.load(FaceFiles(tmp_path / "still.glb"))
-    stage.settle()
-    (sentence,) = stage.failed
-    assert ".3dm" in sentence
-
-
-def test_movestates_that_no_table_knows_are_told(stage: Stage, tmp_path: Path) -> None:
-    (tmp_path / "odd.glb").write_bytes(face_with_targets(("grumpy", "wide")))
-    stage.talking.face.load(FaceFiles(tmp_path / "odd.glb"))
-    stage.settle()
-    (sentence,) = stage.failed
-    assert "grumpy" in sentence
-
-
-def test_a_table_that_moves_nothing_in_the_face_is_refused(stage: Stage) -> None:
+def test_a_table_of_ones_own_is_loaded_and_one_that_moves_nothing_refused(stage: Stage, tmp_path: Path) -> None:
     stage.talking.set_table("oculus")
-    (sentence,) = stage.failed
-    assert "arkit" in sentence
+    assert "arkit" in stage.failed.pop()
     assert stage.talking.table_name == "arkit"
-
-
-def test_a_table_of_ones_own_is_loaded(stage: Stage, tmp_path: Path) -> None:
     text = (Path(load_head.__code__.co_filename).parent / "tables" / "five.toml").read_text()
     (tmp_path / "mine.toml").write_text(text.replace('name = "Five mouth shapes"', 'name = "mine"'))
     stage.talking.set_table(str(tmp_path / "mine.toml"))
@@ -111,29 +82,6 @@ def test_a_table_of_ones_own_is_loaded(stage: Stage, tmp_path: Path) -> None:
 
 
 # -- in the window ---------------------------------------------------------------------------------
-
-
-def test_a_bad_mesh_is_refused_in_one_sentence_and_the_head_stays(window, desktop, qtbot, tmp_path):
-    (tmp_path / "bad.obj").write_text("v 0 0 zero\n")
-    window.files.show = FileAnswers(tmp_path / "bad.obj")
-    click(button(window.talk, "Load Face…"))
-    qtbot.waitUntil(lambda: window.banner.label.text().startswith("bad.obj: "))
-    assert desktop.talking.face.head is Head.WOMAN
-    assert window.talk.choices.face.text() == "Woman"
-
-
-def test_a_mesh_of_ones_own_is_shown_and_the_programs_head_again(window, desktop, qtbot, tmp_path):
-    (tmp_path / "own.glb").write_bytes(face_with_targets(("A", "I", "U", "E", "O")))
-    window.files.show = FileAnswers(tmp_path / "own.glb")
-    click(window.talk.choices.own)
-    qtbot.waitUntil(lambda: window.talk.choices.face.text() == "own.glb")
-    assert window.talk.choices.table.currentData() == "vrm"
-    assert [name for name, _ in window.talk.bars.rows] == ["A", "I", "U", "E", "O"]
-    n_drawn = window.talk.head.surface.n_drawn
-    qtbot.waitUntil(lambda: window.talk.head.surface.n_drawn > n_drawn)
-    click(window.talk.choices.heads[Head.WOMAN])
-    qtbot.waitUntil(lambda: window.talk.choices.face.text() == "Woman")
-    assert "jawOpen" in desktop.talking.percentages
 
 
 def test_woman_and_man_are_chosen_by_a_click_and_the_choice_is_kept(window, desktop, qtbot):
@@ -164,20 +112,29 @@ def test_several_meshes_are_one_face_which_is_kept(window, desktop, qtbot, tmp_p
     assert desktop.talking.in_use.movestates == (tmp_path / "jawOpen.obj", tmp_path / "mouthClose.obj")
 
 
-def test_a_mesh_that_is_dropped_is_shown(window, desktop, qtbot, tmp_path):
-    (tmp_path / "own.glb").write_bytes(face_with_targets(("A", "I")))
-    window.talking_dialogs.open([tmp_path / "own.glb"])
-    qtbot.waitUntil(lambda: desktop.talking.face.name == "own.glb")
-
-
-def test_a_mesh_that_cannot_be_seen_is_told_and_another_one_is_shown(window, desktop, qtbot, tmp_path):
+def test_a_mesh_of_ones_own_is_shown_unless_it_cannot_and_the_programs_head_again(window, desktop, qtbot, tmp_path):
+    head, choices, face = window.talk.head, window.talk.choices, desktop.talking.face
+    (tmp_path / "bad.obj").write_text("v 0 0 zero\n")
+    window.files.show = FileAnswers(tmp_path / "bad.obj")
+    click(button(window.talk, "Load Face…"))
+    qtbot.waitUntil(lambda: window.banner.label.text().startswith("bad.obj: "))
+    assert face.head is Head.WOMAN
+    assert choices.face.text() == "Woman"
+    (tmp_path / "own.glb").write_bytes(face_with_targets(("A", "I", "U", "E", "O")))
+    window.files.show = FileAnswers(tmp_path / "own.glb")
+    click(choices.own)
+    qtbot.waitUntil(lambda: choices.face.text() == "own.glb")
+    assert choices.table.currentData() == "vrm"
+    assert [name for name, _ in window.talk.bars.rows] == ["A", "I", "U", "E", "O"]
+    n_drawn = head.surface.n_drawn
+    qtbot.waitUntil(lambda: head.surface.n_drawn > n_drawn)
     points = mesh_of([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
     save_morph_targets(morph_targets_of(points, [movestate_of("jawOpen", [[0, 1, 0]] * 3)]), tmp_path / "points.glb")
-    head = window.talk.head
-    window.talking_dialogs.open([tmp_path / "points.glb"])
+    window.talking_dialogs.open([tmp_path / "points.glb"])  # as one that is dropped
     qtbot.waitUntil(lambda: head.trouble.startswith("The head cannot be shown: the mesh has no triangles"))
-    click(window.talk.choices.heads[Head.WOMAN])
+    click(choices.heads[Head.WOMAN])
     qtbot.waitUntil(lambda: not head.trouble)
+    assert "jawOpen" in desktop.talking.percentages
     drawn(head, qtbot)
 
 

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import QApplication, QLabel
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.language import use_language
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetDocument
 from phonemeanalyser.desktop.session.sources import SourceKind
@@ -93,7 +92,25 @@ def window(desktop: Desktop, qtbot: QtBot, tmp_path: Path, voice: FakeVoice, ali
     return window
 
 
-def test_what_is_typed_is_said_by_ctrl_return_in_the_language_that_is_chosen(window, voice, qtbot):
+def test_what_is_typed_is_said_by_ctrl_return_in_the_language_that_is_chosen_and_saved(
+    window, desktop, voice, qtbot, tmp_path
+):
+    box, texts = panel(window).language, desktop.talking.text
+    write(window, "hello")
+    assert panel(window).field.toPlainText() == "hello"
+    assert not desktop.session.source.playing
+    assert not desktop.talking.visemes.phonemes
+    assert box.currentText() == NO_LANGUAGE
+    panel(window).act.click()
+    assert "choose it beside the text" in window.banner.findChild(QLabel).text()
+    panel(window).field.setPlainText("Guten Morgen, das ist ein schöner Tag, und wir gehen nicht nach Hause.")
+    assert box.field.text() == "German (guessed)"
+    for typed in ("britain", "klingon"):  # any part of a name finds a language, and what is none is forgotten
+        choose(window, typed)
+        panel(window).field.setFocus()
+        assert texts.written.language == "en-gb"
+        assert box.field.text() == "English (Great Britain)"
+    assert box.itemData(1) == "en-gb"  # chosen last
     write(window, "hello")
     choose(window, "German")
     panel(window).field.setFocus()
@@ -105,26 +122,35 @@ def test_what_is_typed_is_said_by_ctrl_return_in_the_language_that_is_chosen(win
     assert not window.talk.save_words.isEnabled()
     assert window.talk.save_speech.isEnabled()
     assert "fixed by the voice" in window.talk.lanes.summary.text()
-
-
-def test_escape_stops_the_voice_while_the_text_has_the_focus(window, desktop, qtbot):
+    window.files.show = FileAnswers(tmp_path / "spoken")
+    window.talk.save_speech.click()
+    qtbot.waitUntil(lambda: "spoken.wav" in window.banner.label.text())
     write(window, ". ".join(["hello"] * 40))  # far more than is said until Escape
-    choose(window, "German")
-    panel(window).field.setFocus()
     press(window, Qt.Key.Key_Return, CONTROL)
     qtbot.waitUntil(lambda: desktop.session.source.playing)
     press(window, Qt.Key.Key_Escape)
     assert not desktop.session.source.playing
 
 
-def test_what_is_typed_plays_nothing_and_without_a_language_a_sentence_says_what_to_do(window, desktop):
-    write(window, "a house")
-    assert panel(window).field.toPlainText() == "a house"
-    assert not desktop.session.source.playing
-    assert not desktop.talking.visemes.phonemes
-    assert panel(window).language.currentText() == NO_LANGUAGE
-    panel(window).act.click()
-    assert "choose it beside the text" in window.banner.findChild(QLabel).text()
+def test_a_spoken_text_is_opened_from_the_banner_and_labels_beside_a_sound_are_shown_at_once(
+    window, desktop, qtbot, tmp_path
+):
+    write(window, "hello")
+    choose(window, "German")
+    window.files.show = FileAnswers(tmp_path / "spoken")
+    window.talk.save_speech.click()
+    qtbot.waitUntil(lambda: "spoken.wav" in window.banner.label.text())
+    window.banner.action.click()
+    assert desktop.session.path == tmp_path / "spoken.wav"
+    qtbot.waitUntil(lambda: spoken(window))
+    bare = wav(tmp_path, AN_A, "bare.wav")
+    window.dialogs.open_sound(bare)
+    qtbot.waitUntil(lambda: not spoken(window))
+    other = wav(tmp_path, AN_A, "other.wav")
+    other.with_suffix(".TextGrid").write_text(format_utterance(SAID), encoding="utf-8")
+    window.dialogs.open_sound(other)
+    qtbot.waitUntil(lambda: spoken(window))
+    assert window.talk.save_words.isEnabled()
 
 
 def test_the_tour_points_at_what_is_there_by_keyboard_and_is_left_by_escape(window, desktop, settings, qtbot):
@@ -156,21 +182,8 @@ def test_the_tour_points_at_what_is_there_by_keyboard_and_is_left_by_escape(wind
     assert not tour.isVisible()
 
 
-def test_a_language_is_guessed_aloud_found_by_any_part_of_its_name_and_what_is_none_is_forgotten(window, desktop):
-    box = panel(window).language
-    panel(window).field.setPlainText("Guten Morgen, das ist ein schöner Tag, und wir gehen nicht nach Hause.")
-    assert box.field.text() == "German (guessed)"
-    for typed in ("britain", "klingon"):
-        choose(window, typed)
-        panel(window).field.setFocus()
-        assert desktop.talking.text.written.language == "en-gb"
-        assert box.field.text() == "English (Great Britain)"
-    assert box.itemData(1) == "en-gb"  # chosen last
-    assert not desktop.session.source.playing
-
-
-def test_the_lanes_are_words_syllables_and_phones_poor_words_are_marked_and_nothing_is_asked_at_the_end(
-    window, qtbot
+def test_the_lanes_are_words_syllables_and_phones_that_are_played_moved_and_undone_on_a_small_screen_too(
+    window, desktop, qtbot
 ):
     aligned(window, qtbot)
     lanes = window.talk.lanes.line.lanes
@@ -180,12 +193,7 @@ def test_the_lanes_are_words_syllables_and_phones_poor_words_are_marked_and_noth
         ("Phones", ["s", "o", "s", "o"]),
         ("Feeling", []),
     ]
-    assert lanes[0].marked == {1}
-    assert window.close()
-
-
-def test_a_click_on_a_word_plays_it_and_it_is_marked_in_the_text(window, desktop, qtbot):
-    aligned(window, qtbot)
+    assert lanes[0].marked == {1}  # a poor word
     QTest.mouseClick(window.talk.lanes.line, LEFT, pos=place(window, 0, 0.8))
     assert desktop.session.source.playing
     window.talk.text.refresh()
@@ -199,6 +207,21 @@ def test_a_click_on_a_word_plays_it_and_it_is_marked_in_the_text(window, desktop
     assert desktop.session.source.position == 0.6
     window.talk.text.refresh()
     assert not window.talk.text.field.extraSelections()
+    drag_boundary(window)
+    assert spans_of(desktop.talking.text.utterance, LabelUnit.WORD)[1] == pytest.approx((0.7, 1.1), abs=0.01)
+    assert "Undo move of a boundary (word)" in edits(window)
+    window.talk.head.setFocus()
+    press(window, Qt.Key.Key_Z, CONTROL)
+    assert desktop.talking.text.utterance is SAID
+    window.banner.show_error("There is no text; type it into the field below the head.")
+    qtbot.waitUntil(lambda: fits(window))
+    window.resize(*SMALLEST)
+    qtbot.waitUntil(lambda: (window.width(), window.height()) == SMALLEST)
+    settle()
+    assert window.talk.head.height() > 100
+    for part in (panel(window).field, panel(window).language, panel(window).act, window.talk.lanes):
+        assert window.rect().contains(part.mapTo(window, part.rect().bottomRight()))
+    assert window.talking_dialogs.may_leave_words()  # nothing is asked
 
 
 def test_after_a_click_on_align_space_is_not_typed_into_the_text(window, qtbot):
@@ -217,27 +240,17 @@ def drag_boundary(window: MainWindow) -> None:
     QTest.mouseRelease(lanes, LEFT, pos=place(window, 0, 0.7))
 
 
-def test_a_boundary_is_dragged_and_undone_by_the_menu(window, desktop, qtbot):
-    aligned(window, qtbot)
-    drag_boundary(window)
-    assert spans_of(desktop.talking.text.utterance, LabelUnit.WORD)[1] == pytest.approx((0.7, 1.1), abs=0.01)
-    assert "Undo move of a boundary (word)" in edits(window)
-    window.talk.head.setFocus()
-    press(window, Qt.Key.Key_Z, CONTROL)
-    assert desktop.talking.text.utterance is SAID
-
-
-@pytest.mark.parametrize(("button", "gone"), [("Cancel", False), ("Discard", True)])
-def test_who_moved_a_boundary_is_asked_before_another_sound_is_opened(window, desktop, qtbot, tmp_path, button, gone):
-    aligned(window, qtbot)
-    drag_boundary(window)
-    told = answer(button)
-    assert window.dialogs.open_sound(wav(tmp_path, AN_A, "other.wav")) is gone
-    assert told == ["Save the boundaries that you moved in said.wav?"]
-    assert (desktop.talking.text.utterance is None) is gone
-
-
-def test_who_moved_a_boundary_can_save_it_when_he_quits(window, desktop, qtbot, tmp_path):
+def test_who_moved_a_boundary_is_asked_before_another_sound_is_opened_and_when_he_quits(
+    window, desktop, qtbot, tmp_path
+):
+    for button, gone in (("Cancel", False), ("Discard", True)):
+        if not gone:
+            aligned(window, qtbot)
+            drag_boundary(window)
+        told = answer(button)
+        assert window.dialogs.open_sound(wav(tmp_path, AN_A, "other.wav")) is gone
+        assert told == ["Save the boundaries that you moved in said.wav?"]
+        assert (desktop.talking.text.utterance is None) is gone
     aligned(window, qtbot)
     drag_boundary(window)
     answer("Cancel")
@@ -245,19 +258,8 @@ def test_who_moved_a_boundary_can_save_it_when_he_quits(window, desktop, qtbot, 
     target = tmp_path / "said.TextGrid"
     window.files.show = FileAnswers(target)
     answer("Save")
-    assert window.close()
+    assert window.talking_dialogs.may_leave_words()
     assert spans_of(read_utterance(target, DURATION), LabelUnit.WORD)[0][1] == pytest.approx(0.7, abs=0.01)
-
-
-def test_a_spoken_text_is_saved_by_the_menu_and_opened_from_the_banner(window, desktop, qtbot, tmp_path):
-    write(window, "hello")
-    choose(window, "German")
-    window.files.show = FileAnswers(tmp_path / "spoken")
-    window.talk.save_speech.click()
-    qtbot.waitUntil(lambda: "spoken.wav" in window.banner.label.text())
-    window.banner.action.click()
-    assert desktop.session.path == tmp_path / "spoken.wav"
-    qtbot.waitUntil(lambda: spoken(window))
 
 
 # -- the voice ----------------------------------------------------------------------------------------
@@ -314,42 +316,34 @@ def test_a_text_whose_place_a_script_has_taken_comes_back_by_undo(window, qtbot,
     assert panel(window).field.toPlainText() == "what I wrote"
 
 
-def test_labels_beside_the_sound_are_shown_at_once(window, desktop, qtbot, tmp_path):
-    other = wav(tmp_path, AN_A, "other.wav")
-    other.with_suffix(".TextGrid").write_text(format_utterance(SAID), encoding="utf-8")
-    assert not spoken(window)
-    window.dialogs.open_sound(other)
-    qtbot.waitUntil(lambda: spoken(window))
-    assert window.talk.save_words.isEnabled()
-
-
-def test_the_page_fits_on_a_small_screen_with_lanes_and_a_sentence(window, qtbot):
-    aligned(window, qtbot)
-    window.banner.show_error("There is no text; type it into the field below the head.")
-    qtbot.waitUntil(lambda: fits(window))
-    window.resize(*SMALLEST)
-    qtbot.waitUntil(lambda: (window.width(), window.height()) == SMALLEST)
-    settle()
-    assert window.talk.head.height() > 100
-    for part in (panel(window).field, panel(window).language, panel(window).act, window.talk.lanes):
-        assert window.rect().contains(part.mapTo(window, part.rect().bottomRight()))
-
-
-def test_text_language_lexicon_and_voice_are_there_again_at_the_next_start(
-    window, desktop, qapp, settings: QSettings, no_microphone, tmp_path, qtbot
+def test_text_voice_and_tables_are_there_again_at_the_next_start_unless_they_are_gone(
+    window, desktop, qapp, settings: QSettings, no_microphone, tmp_path, qtbot, table
 ):
     (tmp_path / "mine.csv").write_text("word,ipa\nso,soʊ\n", encoding="utf-8")
     write(window, "so oh")
     choose(window, "German")
-    chosen = VoiceChoice("f2", 5.5, "mine {output} {text}", True)
-    desktop.talking.text.voice.choose(**vars(chosen))
-    desktop.talking.text.drivers.choose(FaceDriver.RULES)
-    desktop.talking.text.drivers.compare(FaceDriver.PINYIN)
-    desktop.talking.text.set_lexicon(tmp_path / "mine.csv")
-    qtbot.waitUntil(lambda: desktop.talking.text.lexicon_path is not None)
+    chosen, texts = VoiceChoice("f2", 5.5, "mine {output} {text}", True), desktop.talking.text
+    texts.voice.choose(**vars(chosen))
+    texts.set_lexicon(tmp_path / "mine.csv")
+    qtbot.waitUntil(lambda: texts.lexicon_path is not None)
+    performance = texts.drivers.performance
+    write_table(tmp_path / "ben.sqlite", [recorded("so")])
+    for path in (tmp_path / "ben.sqlite", table):
+        performance.open(path)
+        qtbot.waitUntil(lambda path=path: performance.chosen == path)
+    performance.set_choice(ExampleChoice.NEAREST)
+    texts.drivers.choose(FaceDriver.RULES)
+    texts.drivers.compare(FaceDriver.PINYIN)
     desktop.save()
+    (tmp_path / "ben.sqlite").unlink()
     again = Desktop(qapp, settings, microphone=no_microphone)
     texts = again.talking.text
+    restored = texts.drivers.performance
+    assert restored.opened == ((tmp_path / "ben.sqlite", table), table)
+    restored.wake()
+    qtbot.waitUntil(lambda: restored.chosen == table)
+    assert list(restored.known) == [table]
+    assert restored.choice is ExampleChoice.NEAREST
     qtbot.waitUntil(lambda: texts.lexicon_path == tmp_path / "mine.csv")
     assert again.session.open(tmp_path / "said.wav")
     qtbot.waitUntil(lambda: texts.text == "so oh")
@@ -380,15 +374,32 @@ def performed(window: MainWindow, desktop: Desktop, table: Path, qtbot: QtBot) -
 
 
 @popping_up
-def test_a_table_of_a_synthetic_performer_is_named_so_wherever_it_is_chosen(window, desktop, voice, qtbot, table):
+def test_a_table_of_a_synthetic_performer_is_named_so_wherever_it_is_chosen_compared_and_played(
+    window, desktop, voice, qtbot, table
+):
+    performance, original = desktop.talking.text.drivers.performance, desktop.talking.text.original
+    actions = {action.data(): action for action in window.talk.comparisons.actions()}
+    assert not actions[FaceDriver.TABLE].isEnabled()
     window.files.show = FileAnswers(table)
     aligned(window, qtbot)
     below = opened(window, qtbot)
     assert not below.choice.isVisible()
     below.table.setFocus()
     QTest.keyClick(below.table, Qt.Key.Key_End)
-    qtbot.waitUntil(lambda: desktop.talking.text.drivers.performance.chosen == table)
+    qtbot.waitUntil(lambda: performance.chosen == table)
     assert not below.isVisible()
+    qtbot.waitUntil(lambda: bool(performance.units))
+    assert actions[FaceDriver.TABLE].isEnabled()
+    told = list[str]()
+    original.changed.connect(lambda: told.append(original.caption))  # it may be over before a slow machine looks
+    units = lane_named(window, "Units")
+    tips = window.talk.lanes.line.lanes[units].tips
+    words = next(k for k, of in enumerate(tips) if "[s o s o] from so so.so, " in of)
+    QTest.mouseClick(window.talk.lanes.line, LEFT, pos=middle_of(window, units, words))
+    qtbot.waitUntil(lambda: bool(told))
+    assert "so so.so, original recording" in told[0]
+    press(window, Qt.Key.Key_Space)
+    assert original.face is None
     panel(window).voice.click()
     assert below.table.currentText() == "ann (synthetic performer)"
     assert below.choice.isVisible()
@@ -396,42 +407,15 @@ def test_a_table_of_a_synthetic_performer_is_named_so_wherever_it_is_chosen(wind
     qtbot.waitUntil(lambda: window.talk.heads.main.caption.text() == "ann (synthetic performer)")
     below.choice.setFocus()
     QTest.keyClicks(below.choice, "random w")
-    assert desktop.talking.text.drivers.performance.choice is ExampleChoice.BAND
+    assert performance.choice is ExampleChoice.BAND
     QTest.keyClicks(below.name, "own")
     desktop.talking.text.say()
     qtbot.waitUntil(lambda: bool(voice.choices))
-    assert voice.choices[0].recordings.table is desktop.talking.text.drivers.performance.table
+    assert voice.choices[0].recordings.table is performance.table
     below.table.setFocus()
     QTest.keyClick(below.table, Qt.Key.Key_Home)
-    assert desktop.talking.text.drivers.performance.chosen is None
+    assert performance.chosen is None
     assert not window.talk.heads.main.caption.isVisible()
-
-
-@pytest.mark.parametrize(
-    ("language", "lane", "tip", "caption"),
-    [
-        ("en", "Units", "[s o s o] from so so.so, ", "so so.so, original recording"),
-        pytest.param(
-            *("de", "Einheiten", "[s o s o] aus so so.so, ", ", Originalaufnahme aus ann"), marks=pytest.mark.long
-        ),
-    ],
-)
-def test_units_are_named_and_played(window, desktop, qtbot, qapp, table, language, lane, tip, caption):
-    original, told = desktop.talking.text.original, list[str]()
-    original.changed.connect(lambda: told.append(original.caption))  # it may be over before a slow machine looks
-    use_language(qapp, language)
-    try:
-        performed(window, desktop, table, qtbot)
-        words = next(
-            k for k, of in enumerate(window.talk.lanes.line.lanes[lane_named(window, lane)].tips) if tip in of
-        )
-        QTest.mouseClick(window.talk.lanes.line, LEFT, pos=middle_of(window, lane_named(window, lane), words))
-        qtbot.waitUntil(lambda: bool(told))
-    finally:
-        use_language(qapp, "en")
-    assert caption in told[0]
-    press(window, Qt.Key.Key_Space)
-    assert original.face is None
 
 
 @pytest.mark.usefixtures("graphics")
@@ -482,31 +466,3 @@ def test_a_second_head_moves_by_what_the_second_preset_recognises(window, deskto
     assert np.any(second.phonemes != desktop.session.whole.tracks.phonemes)
     desktop.preset.set_other(None)
     assert not desktop.talking.comparing
-
-
-def test_a_table_can_be_compared_once_there_is_one(window, desktop, qtbot, table):
-    actions = {action.data(): action for action in window.talk.comparisons.actions()}
-    assert not actions[FaceDriver.TABLE].isEnabled()
-    performed(window, desktop, table, qtbot)
-    assert actions[FaceDriver.TABLE].isEnabled()
-
-
-def test_tables_are_there_again_at_the_next_start_unless_they_are_gone(
-    window, desktop, qapp, settings: QSettings, no_microphone, tmp_path, qtbot, table
-):
-    performance = desktop.talking.text.drivers.performance
-    write_table(tmp_path / "ben.sqlite", [recorded("so")])
-    for path in (tmp_path / "ben.sqlite", table):
-        performance.open(path)
-        qtbot.waitUntil(lambda path=path: performance.chosen == path)
-    performance.set_choice(ExampleChoice.NEAREST)
-    desktop.save()
-    (tmp_path / "ben.sqlite").unlink()
-    again = Desktop(qapp, settings, microphone=no_microphone)
-    restored = again.talking.text.drivers.performance
-    assert restored.opened == ((tmp_path / "ben.sqlite", table), table)
-    restored.wake()
-    qtbot.waitUntil(lambda: restored.chosen == table)
-    assert list(restored.known) == [table]
-    assert restored.choice is ExampleChoice.NEAREST
-    again.close()

@@ -190,16 +190,16 @@ def test_each_rule_and_each_threshold_of_the_factory_presets_bears_on_speech_in_
     features, truth = _measured_on(corpus, preset)
     answers = ThesisRules(thresholds).phonemes_of(features)
     hits = confusion_of(truth, answers).diagonal()
-    assert min(hits[list(SCORED_PHONEMES)]) > 25
+    assert min(hits[list(SCORED_PHONEMES)]) > 50
     for c in CONDITIONS:
         never_in_the_way = replace(thresholds, **{c.threshold: -1e9 if c.sign == ">" else 1e9})
         assert np.any(ThesisRules(never_in_the_way).phonemes_of(features) != answers), c.threshold
 
 
 def _measured_on(corpus: Path, preset: Preset) -> tuple[Features, np.ndarray]:
-    """Measure every second recording as it is and in a room of -65 dB, as the fit hears them."""
+    """Measure each recording as it is and in a room of -65 dB, as the fit hears them."""
     values, truth = [], []
-    for seed, utterance in enumerate(read_corpus(corpus)[::2]):
+    for seed, utterance in enumerate(read_corpus(corpus)):
         sound, _ = soundfile.read(utterance.path, dtype="float32")
         room = np.random.default_rng(seed).normal(0, 10 ** (-65 / 20), len(sound)).astype(np.float32)
         for heard in (sound, sound + room):

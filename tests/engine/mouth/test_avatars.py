@@ -140,14 +140,14 @@ def test_bones_without_vrm_are_known_by_their_names() -> None:
         for node, name in zip(document["nodes"][2:], ("mixamorig:Head", "CC_Base_JawRoot", "Eye.L"), strict=False):
             node["name"] = name
 
-    names = {state.name for state in parse_gltf(avatar(1, only=MOUTH, change=only_names)).states}
+    names = {state.name for state in parse_gltf(avatar(1, change=only_names)).states}
     assert {"bone jawOpen", "bone eyeLookUpLeft"} <= names
     assert "bone eyeLookUpRight" not in names
 
 
 def test_a_texture_and_its_material_come_with_the_mesh() -> None:
     picture = png(4, 2)
-    mesh = parse_vrm(avatar(0, only=MOUTH, picture=picture)).mesh
+    mesh = parse_vrm(avatar(0, picture=picture)).mesh
     (skin,) = mesh.materials
     assert skin.texture is not None
     assert (skin.texture.content, skin.texture.width, skin.texture.height) == (picture, 4, 2)
@@ -197,25 +197,25 @@ BAD: dict[str, tuple[Callable[[], bytes], str]] = {  # made where they are used:
     "no VRM": (lambda: format_glb(load_head()), "this is no VRM"),
     "cut off": (lambda: b"glTF\2\0\0\0", "ends within its header"),
     "text": (lambda: b"hello", "its JSON cannot be read"),
-    "a circle": (lambda: avatar(0, only=MOUTH, change=circle), "below two others|in a circle"),
+    "a circle": (lambda: avatar(0, change=circle), "below two others|in a circle"),
     "a ring": (
-        lambda: avatar(1, only=MOUTH, change=lambda d: d["nodes"].extend([{"children": [7]}, {"children": [6]}])),
+        lambda: avatar(1, change=lambda d: d["nodes"].extend([{"children": [7]}, {"children": [6]}])),
         "the bones of its skeleton go in a circle",
     ),
     "a large texture": (
-        lambda: avatar(1, only=MOUTH, picture=png(16384, 1)),
+        lambda: avatar(1, picture=png(16384, 1)),
         "texture 'skin' has 16384 x 1 pixels, and at most 8192",
     ),
     "no such bone": (
-        lambda: avatar(1, only=MOUTH, change=lambda d: d["skins"][0].update(joints=[2])),
+        lambda: avatar(1, change=lambda d: d["skins"][0].update(joints=[2])),
         "a skin of 1|its skin has 1",
     ),
     "no such node": (
-        lambda: avatar(1, only=MOUTH, change=lambda d: d["nodes"][1].update(children=[99])),
+        lambda: avatar(1, change=lambda d: d["nodes"][1].update(children=[99])),
         "number 99 of its nodes",
     ),
     "few matrices": (
-        lambda: avatar(1, only=MOUTH, change=lambda d: d["skins"][0].update(inverseBindMatrices=0)),
+        lambda: avatar(1, change=lambda d: d["skins"][0].update(inverseBindMatrices=0)),
         "a skin of 4 bones has",
     ),
 }

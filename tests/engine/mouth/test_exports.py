@@ -14,6 +14,7 @@ import pytest
 from praatio import textgrid
 
 from phonemeengine.errors import ExportError
+from phonemeengine.labels.audacity import raw_labels_of
 from phonemeengine.mouth.animation import Animation, animation_blocks
 from phonemeengine.mouth.blendshape_names import ARKIT, OCULUS, SHOULDERS
 from phonemeengine.mouth.exports.export import number_lines
@@ -70,6 +71,18 @@ def numbers_and_words(text: str) -> tuple[list[float], list[str]]:
 
 
 # -- Rhubarb --------------------------------------------------------------------------------------------------
+
+
+def test_rhubarbs_lines_are_starts_and_letters_and_end_with_a_closed_mouth() -> None:
+    rows = [line.split("\t") for line in written("rhubarb-tsv").splitlines()]
+    assert rows[0] == ["0.00", "X"]
+    assert rows[-1] == [f"{DURATION:.2f}", "X"]
+    assert [float(start) for start, _ in rows[:-1]] == pytest.approx(
+        [c[0] for c in cues_in("rhubarb-tsv")], abs=0.006
+    )
+    assert {letter for _, letter in rows} <= set("ABCDEFGHX")
+    times = [float(start) for start, _ in rows]
+    assert all(a <= b for a, b in pairwise(times))
 
 
 def test_rhubarbs_xml_is_read_by_an_xml_reader() -> None:
@@ -161,6 +174,18 @@ def test_papagayo_is_told_where_the_sound_is_and_its_name_alone_where_nobody_kno
 # -- labels ---------------------------------------------------------------------------------------------------
 
 
+def test_annosoft_reads_milliseconds_without_gaps() -> None:
+    audio, *lines = written("anno").splitlines()
+    assert audio == "audio masapo.wav"
+    rows = [line.split() for line in lines]
+    assert all(row[0] == "phn" for row in rows)
+    assert rows[0][1] == "0"
+    assert int(rows[-1][2]) == round(1000 * DURATION)
+    assert all(one[2] == other[1] for one, other in pairwise(rows))
+    assert all((row[3] == "0") == (row[4] == "x") for row in rows)
+    assert [row[4] for row in rows[:4]] == ["x", "m", "AA", "p"]
+
+
 @pytest.mark.parametrize("minimum", [0.055, 0.0605])
 @pytest.mark.parametrize("name", ["rhubarb-tsv", "rhubarb-xml", "rhubarb-json", "anno"])
 def test_rounded_times_keep_the_shortest_cue(name: str, minimum: float) -> None:
@@ -192,6 +217,13 @@ def test_praat_files_are_read_by_praatio(tmp_path: Path) -> None:
         (pytest.approx(start), pytest.approx(end), shape) for start, end, shape in expected
     ]
     assert grid.maxTimestamp == pytest.approx(DURATION)
+
+
+def test_audacity_reads_back_what_was_written() -> None:
+    marks = raw_labels_of(written("audacity"), "a.txt")
+    assert [(mark.start, mark.end, mark.name) for mark in marks] == [
+        (pytest.approx(start), pytest.approx(end), shape) for start, end, shape in cues_in("audacity")
+    ]
 
 
 def test_labels_say_when_a_sound_was_heard_and_drawings_are_a_little_ahead() -> None:

@@ -268,10 +268,13 @@ def test_far_characters_follow_no_phones(detail: Detail) -> None:
     ("form", "line"),
     [
         ("rhubarb-tsv", "\tG"),
+        ("rhubarb-tsv", "\tH"),
         ("moho-dat", " FV"),
+        ("papagayo-pgo", " L"),
         ("anno", " TH"),
         ("textgrid", '"f"'),
         ("curves-json", '"shape": "th", "intensity": 0.7, "phone": "θ"'),
+        ("audacity", "\tu"),
     ],
 )
 def test_files_hold_the_shapes_of_phones(form: str, line: str) -> None:
