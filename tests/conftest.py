@@ -37,7 +37,7 @@ for number, handler in (("SIGINT", signal.default_int_handler), ("SIGHUP", signa
     if hasattr(signal, number) and signal.getsignal(signal.Signals[number]) is signal.SIG_IGN:
         signal.signal(signal.Signals[number], handler)
 
-settings.register_profile("project", deadline=None)  # a busy machine is no failure
+settings.register_profile("project", deadline=None, max_examples=40)  # a busy machine is no failure
 settings.load_profile("project")
 
 

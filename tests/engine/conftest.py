@@ -5,14 +5,10 @@ from pathlib import Path
 
 import pytest
 import soundfile
-from hypothesis import settings
 
 from phonemeengine.settings import SAMPLE_RATE
 from tests.fakes.microphones import HandDrivenMicrophone, Hear, Hearing
 from tests.fakes.players import SPEECH, Rig
-
-settings.register_profile("engine", settings.get_profile("project"), max_examples=40)
-settings.load_profile("engine")
 
 
 @pytest.fixture
