@@ -66,6 +66,16 @@ class PlotMenu(QMenu):
         plot.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         plot.customContextMenuRequested.connect(self.open_at)
 
+    def put_first(self, acts: Mapping[str, Callable[[], object]]) -> list[QAction]:
+        """Offer other things before those that all plots offer, and return their entries."""
+        first = self.actions()[0]
+        entries = [QAction(name, self) for name in acts]
+        for entry, act in zip(entries, acts.values(), strict=True):
+            entry.triggered.connect(act)
+        self.insertActions(first, entries)
+        self.insertSeparator(first)
+        return entries
+
     def ask_save(self) -> None:
         """Have the user asked where a picture of the plot is to be saved."""
         self.save_asked.emit(self._plot, self._name)

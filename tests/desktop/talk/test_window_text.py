@@ -224,6 +224,18 @@ def test_the_lanes_are_words_syllables_and_phones_that_are_played_moved_and_undo
     assert window.talking_dialogs.may_leave_words()  # nothing is asked
 
 
+def test_a_right_click_on_a_word_offers_what_changes_it(window, desktop, qtbot):
+    aligned(window, qtbot)
+    menu = window.talk.lanes.line.menu
+    menu.open_at(place(window, 0, 0.8))
+    menu.actions()[1].trigger()
+    menu.close()
+    assert [word.text for word in desktop.talking.text.utterance.words] == ["so"]
+    menu.open_at(QPoint(1, 1))
+    assert [action.isEnabled() for action in menu.actions()[:3]] == [False] * 3
+    menu.close()
+
+
 def test_after_a_click_on_align_space_is_not_typed_into_the_text(window, qtbot):
     aligned(window, qtbot)
     assert window.focusWidget() is panel(window).field

@@ -101,6 +101,15 @@ class SpeechTimeline(QWidget):
         self._drag = BoundaryDrag()
         self._pressed: tuple[QPointF, TimeSpan] | None = None
         self.menu = PlotMenu(self, "what is said", lambda _at: table_of(self._columns()))
+        edits = self._texts.edits
+        self._word_acts = self.menu.put_first(
+            {
+                tr("Rename Word or Phone (F2)"): edits.ask_rename,
+                tr("Delete Word or Phone (Del)"): edits.delete,
+                tr("Realign This Word"): edits.realign,
+            }
+        )
+        self.menu.aboutToShow.connect(self._choose_for_menu)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
@@ -332,8 +341,7 @@ class SpeechTimeline(QWidget):
     def _go_to(self, place: QPointF) -> None:
         """Play what lies at a pixel; where nothing does, go to that time."""
         found = self._span_at(place)
-        is_edited = found is not None and self._texts.edits.possible and found[0] in EDITED
-        self._texts.edits.choose((EDITED[found[0]], found[1]) if found is not None and is_edited else None)
+        self._choose(found)
         if found is None:
             self._session.seek(min(max(self.axis.time_at(place.x()), 0.0), self.view.duration))
         elif self._is_of_units(found[0]):
@@ -341,6 +349,17 @@ class SpeechTimeline(QWidget):
         else:
             lane = self.lanes[found[0]]
             self._texts.edits.play(float(lane.starts[found[1]]), float(lane.ends[found[1]]))
+
+    def _choose(self, found: tuple[int, int] | None) -> None:
+        """Choose a word or a phone, where it can be edited."""
+        is_edited = found is not None and self._texts.edits.possible and found[0] in EDITED
+        self._texts.edits.choose((EDITED[found[0]], found[1]) if found is not None and is_edited else None)
+
+    def _choose_for_menu(self) -> None:
+        """Choose what was clicked with the right button."""
+        self._choose(self._span_at(QPointF(self.menu.at)))
+        for entry in self._word_acts:
+            entry.setEnabled(self._texts.edits.chosen is not None)
 
     def _ask_feeling(self, place: QPointF, number: int | None) -> None:
         """Have a feeling typed in its place, or a new one."""
