@@ -260,34 +260,48 @@ def test_the_room_is_measured_outside_the_guide_for_every_recogniser_unless_some
     assert preset.preset == before
 
 
-def test_a_clipped_sound_is_asked_for_again_and_sounds_are_said_once_more_or_skipped_by_keys(by_sounds: Calibrator):
-    guide, window, microphone = by_sounds.model.guide, by_sounds.booth.window, by_sounds.booth.studio.model
+def test_a_clipped_sound_is_asked_for_again_and_sounds_are_said_once_more_or_skipped_by_keys(guided: Calibrator):
+    guide, view, window = guided.model.guide, guided.page.guide, guided.booth.window
+    recording = guided.booth.studio.model
+    click(view.sounds)
+    assert view.sounds.isChecked()
+    assert (guide.step, guide.index) == (SOUNDS[0], 1)
+    assert f"Sound 1 of {len(SOUNDS)}" in view.title.text()
     for _ in range(2):  # it is asked for once more, and R does not wait for that
-        answer(by_sounds, 1, loud=5.0)
-        assert "The recording is clipped: " in by_sounds.page.guide.advice.text()
-        assert all(take.phoneme is not Phoneme.A for take in by_sounds.takes)
+        answer(guided, 1, loud=5.0)
+        assert "The recording is clipped: " in view.advice.text()
+        assert all(take.phoneme is not Phoneme.A for take in guided.takes)
     press(window, Qt.Key.Key_R)
     assert (guide.index, guide.phase, guide.advice) == (1, Phase.WAITING, "")
-    assert not microphone.recording
-    answer(by_sounds, 1)
+    assert not recording.recording
+    answer(guided, 1)
     assert guide.advice == ""
-    by_sounds.until(lambda: guide.index == 2, silently=False)
-    before = by_sounds.takes[-1].number
+    guided.until(lambda: guide.index == 2, silently=False)
+    before = guided.takes[-1].number
     press(window, Qt.Key.Key_Backspace)
     assert guide.index == 1
-    answer(by_sounds, 1)
-    by_sounds.settle()
-    assert [take.phoneme for take in by_sounds.takes] == [Phoneme.SILENCE, Phoneme.A]
-    assert by_sounds.takes[-1].number == before + 1
-    by_sounds.until(lambda: guide.index == 2, silently=False)
+    answer(guided, 1)
+    guided.settle()
+    assert [take.phoneme for take in guided.takes] == [Phoneme.SILENCE, Phoneme.A]
+    assert guided.takes[-1].number == before + 1
+    guided.until(lambda: guide.index == 2, silently=False)
     press(window, Qt.Key.Key_Right)
     assert guide.index == 3
-    answer(by_sounds, 3)
-    by_sounds.settle()
-    assert [take.phoneme for take in by_sounds.takes] == [Phoneme.SILENCE, Phoneme.A, STEPS[3].phoneme]
-    guide.cancel()
+    while guide.index < READING:  # the sentence to judge by
+        guide.skip()
+    assert guide.reading
+    for language in (1, 0):
+        view.language.activated.emit(language)
+        assert view.hint.text().count(SENTENCES[2 * language].text) == 1
+    click(view.sounds)  # the sentence to learn from comes back
+    assert guide.index == 1
+    assert guide.step.sentence == SENTENCES[0]
+    assert guide.numbers.keys() <= {0}
+    view.language.activated.emit(2)
+    assert "Papa a mis la soupe" in view.hint.text()
+    click(view.cancel)
     press(window, Qt.Key.Key_R)  # Record is a key of the page Analyse
-    assert not microphone.recording
+    assert not recording.recording
 
 
 def test_who_says_nothing_is_asked_again_and_escape_ends_the_guide_without_a_take_of_the_room(guided: Calibrator):
