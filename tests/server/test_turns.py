@@ -1,6 +1,7 @@
 """Streams take turns: each is heard a little at a time, and what fails in one stops no other."""
 
 import asyncio
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -156,7 +157,7 @@ def test_a_bug_in_one_stream_stops_no_other(fault: str, caplog: pytest.LogCaptur
 
 def test_a_bug_in_hearing_is_told_to_those_who_were_heard(caplog: pytest.LogCaptureFixture) -> None:
     stream = Stream(1)
-    stream.speech = None  # type: ignore[assignment]
+    stream.speech = SimpleNamespace(may_have_encoder=False, has_encoder=False)  # type: ignore[assignment]
     taken(stream)
     assert "the server has failed at this" in str(stream.error)
     assert "AttributeError" in caplog.text

@@ -155,7 +155,7 @@ class TalkModel(QObject):
             known,
             self.text.to_say,
             {self.keys.sound: self.keys.layer} if self.keys.sound is not None else {},
-            dict.fromkeys(known, self.text.text),
+            dict.fromkeys(known, self.text.text_of_words),
         )
 
     @property

@@ -10520,9 +10520,14 @@
             <translation>Der Take ist zu kurz ({seconds:.2f} s). {phoneme} halten, solange der Laut gesprochen wird.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/written_text.py" />
             <source>The text has changed since these words were aligned. Align again.</source>
             <translation>Der Text wurde seit dem Ausrichten dieser Wörter geändert. Neu ausrichten.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/written_text.py" />
+            <source>The text has changed since these words were spoken. Speak again.</source>
+            <translation>Der Text wurde geändert, seit diese Wörter gesprochen wurden. Erneut sprechen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/rendering/textures.py" />

@@ -308,7 +308,7 @@ def test_a_unit_is_heard_and_seen_as_it_was_recorded(desk: Desk, corpus: Path, t
     unit = desk.texts.drivers.performance.units[0]
     original, talking = desk.texts.original, desk.stage.talking
     with desk.qtbot.waitSignal(original.changed):
-        desk.texts.play_original(unit, whole=True)
+        desk.texts.original.play(unit, whole=True)
     assert not desk.session.source.playing
     assert talking.head.caption == "mami, original recording from mia"
     output = desk.stage.outputs.last
@@ -328,7 +328,7 @@ def test_the_sound_in_hand_goes_before_a_recording(desk: Desk, corpus: Path, tmp
     labelled(desk, tmp_path)
     use(desk, corpus)
     with desk.qtbot.waitSignal(desk.texts.original.changed):
-        desk.texts.play_original(desk.texts.drivers.performance.units[1])
+        desk.texts.original.play(desk.texts.drivers.performance.units[1])
     desk.session.play()
     assert desk.texts.original.face is None
 
@@ -339,7 +339,7 @@ def test_a_recording_without_its_sound_is_seen_and_that_is_said(desk: Desk, corp
     (tmp_path / "corpus").rename(tmp_path / "elsewhere")
     original = desk.texts.original
     with desk.qtbot.waitSignal(original.changed):
-        desk.texts.play_original(desk.texts.drivers.performance.units[1])
+        desk.texts.original.play(desk.texts.drivers.performance.units[1])
     (sentence,) = desk.failed
     assert "put the recordings back" in sentence
 

@@ -49,6 +49,20 @@ def test_what_a_voice_says_is_known_with_its_times(desk):
     assert not desk.texts.editable
 
 
+def test_what_is_typed_meanwhile_is_none_of_what_the_voice_says(desk):
+    texts, felt = desk.texts, desk.stage.talking.felt_text
+    desk.say("Hello. [smile] You there.")
+    texts.set_text("[anger] Never. [anger] Not now.")  # before the second sentence is spoken
+    desk.stage.play(10)
+    assert [span.words for span in felt.spans] == ["smile 1"]
+    assert desk.stage.talking.in_use.texts == dict.fromkeys(desk.stage.talking.in_use.texts, texts.text_before)
+    assert texts.stale.endswith("Speak again.")
+    felt.insert(0.1, "fear")
+    assert desk.failed == [texts.stale]
+    texts.set_text("Hello. You there!")
+    assert (texts.stale, felt.spans) == ("", ())
+
+
 def test_the_head_says_what_the_voice_says(desk):
     desk.stage.look()
     jaws: list[float] = []

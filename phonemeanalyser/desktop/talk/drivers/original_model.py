@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.talk.drivers.performance_model import PerformanceModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError
@@ -40,11 +41,13 @@ class OriginalModel(QObject):
     changed = Signal()
     error = Signal(str)
 
-    def __init__(self, session: Session, clock: Callable[[], float] = time.monotonic) -> None:
+    def __init__(
+        self, session: Session, performance: PerformanceModel, clock: Callable[[], float] = time.monotonic
+    ) -> None:
         super().__init__()
         self.face: RecordedFace | None = None
         self.caption = ""
-        self._session, self._clock = session, clock
+        self._session, self._performance, self._clock = session, performance, clock
         self._player: Player | None = None
         self._began = self._start = self._end = 0.0
         self._work = TaskQueue(self.error.emit)
@@ -57,8 +60,11 @@ class OriginalModel(QObject):
             return self._player.position
         return self._start + self._clock() - self._began
 
-    def play(self, table: PerformanceTable, unit: UsedUnit, *, whole: bool = False) -> None:
+    def play(self, unit: UsedUnit, *, whole: bool = False) -> None:
         """Play what a unit is taken from, with a little before and after it, or all of its recording."""
+        table = self._performance.table
+        if table is None:
+            return
 
         def act(_progress: object) -> tuple[RecordedFace, float, SoundReader | None]:
             performance = table.recording_called(unit.recording)

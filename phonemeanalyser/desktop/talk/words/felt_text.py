@@ -71,7 +71,7 @@ class FeltText(QObject):
         return None if utterance is None else replace(utterance, language=self._texts.written.spoken_in)
 
     def _follow(self) -> None:
-        said, text = self._said, self._texts.text
+        said, text = self._said, self._texts.text_of_words
         if self._known and self._known[0] is self._texts.utterance and self._known[1:] == (text,):
             return
         self._known = self._texts.utterance, text
@@ -154,12 +154,15 @@ class FeltText(QObject):
             return None
         places = [
             (abs(word.start - seconds), place)
-            for word, place in zip(said.words, places_of(said, self._texts.text), strict=True)
+            for word, place in zip(said.words, places_of(said, self._texts.text_of_words), strict=True)
             if place[1]
         ]
         return min(places)[1][0] if places else None
 
     def _push(self, text: str, what: str) -> None:
+        if self._texts.stale:
+            self._texts.error.emit(self._texts.stale)
+            return
         try:
             passages_of(text, self._texts.written.spoken_in)
         except TextError as error:

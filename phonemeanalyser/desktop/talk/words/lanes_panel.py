@@ -74,7 +74,7 @@ class LanesPanel(QWidget):
         if utterance is None:
             return ""
         if self._texts.stale:
-            return tr("The text has changed since these words were aligned. Align again.")
+            return self._texts.stale
         said = tr_count("{n} word", "{n} words", len(utterance.words))
         return said if self._texts.editable else tr("{said}; boundaries fixed by the voice").format(said=said)
 

@@ -124,20 +124,22 @@ class RunningSpeech:
     ----------
     sentences : as a voice speaks them.
     face : looks them up meanwhile; None where nothing does.
-    language : of the text.
+    language, script : of the text, and that itself.
 
     Attributes
     ----------
-    face, language : what looks the text up, and its language.
+    face, language, script : what looks the text up, its language, and all that is to be spoken.
     speech : the sound; its player closes it.
     utterance : what is said by now and not forgotten; None where nothing is known of it.
     """
 
-    def __init__(self, sentences: Iterator[SpokenSentence], face: SpokenFace | None, language: str) -> None:
+    def __init__(
+        self, sentences: Iterator[SpokenSentence], face: SpokenFace | None, language: str, script: str
+    ) -> None:
         self.face = face
         self.speech = SpooledSpeech(sentences)
         self.utterance: Utterance | None = None
-        self.language = language
+        self.language, self.script = language, script
         self._tracks: deque[SentenceTrack] = deque()
 
     @property

@@ -26,7 +26,7 @@ from phonemeanalyser.desktop.talk.words.scripts import (
 from phonemeanalyser.desktop.talk.words.sound_words import KnownWords, RunningSpeech, SoundWords
 from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice, VoiceModel
 from phonemeanalyser.desktop.talk.words.word_edits import WordEdits
-from phonemeanalyser.desktop.talk.words.written_text import WrittenText, said_in, same_words
+from phonemeanalyser.desktop.talk.words.written_text import ALIGN_AGAIN, SPEAK_AGAIN, WrittenText, said_in, same_words
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.alignment.align import is_other_text
 from phonemeengine.dsp.waveform_peaks import Peaks, WaveformPeaks
@@ -34,7 +34,6 @@ from phonemeengine.execution import Progress
 from phonemeengine.labels.timed_words import TimedWord
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.transcript import NOTHING, Transcript, transcript_of_utterance
-from phonemeengine.performance.driver import UsedUnit
 from phonemeengine.performance.spoken_face import SpokenFace
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.spooled import SpooledSpeech
@@ -107,7 +106,7 @@ class TextModel(QObject):
         self.tools = tools or TextTools()
         self.voice = voice or VoiceModel()
         self.drivers = drivers or DriverModel()
-        self.original = OriginalModel(session)
+        self.original = OriginalModel(session, self.drivers.performance)
         self.words = SoundWords(session.preset.undo_stack)
         self.edits = WordEdits(session, self.words, lambda: (self._language_of_text, self._lexicon))
         self.speech_view = TimeView()
@@ -198,10 +197,20 @@ class TextModel(QObject):
         return self.written.text
 
     @property
-    def stale(self) -> bool:
-        """Whether the text is another one than that of the words, which were aligned before."""
-        known = self.words.known
-        return self.edits.possible and bool(known.text) and not same_words(known.text, self.text)
+    def text_before(self) -> str:
+        """The text that was aligned or spoken; empty where that is not known."""
+        return self.words.known.text if self.edits.possible else self._speech.script if self._speech else ""
+
+    @property
+    def stale(self) -> str:
+        """What to do where the text has other words now than those that were aligned or spoken; empty otherwise."""
+        again = tr(ALIGN_AGAIN) if self.editable else tr(SPEAK_AGAIN)
+        return again if self.text_before and not same_words(self.text_before, self.text) else ""
+
+    @property
+    def text_of_words(self) -> str:
+        """The text of the words: as it is now, unless it has other words."""
+        return self.text_before if self.stale else self.text
 
     def set_text(self, text: str) -> None:
         """Take another text."""
@@ -287,7 +296,7 @@ class TextModel(QObject):
             look_up = self.drivers.wants_table
             self._work.replace(
                 lambda _progress: self._spoken(text, language, voice, look_up=look_up),
-                lambda spoken: self._take_speech(RunningSpeech(*spoken, language), text, voice),
+                lambda spoken: self._take_speech(RunningSpeech(*spoken, language, text), voice),
             )
 
     def save_speech(self, path: Path) -> None:
@@ -298,12 +307,6 @@ class TextModel(QObject):
                 lambda _progress: write_speech(self.tools.speak(text, language, voice), language, path),
                 lambda _: self.speech_saved.emit(str(path)),
             )
-
-    def play_original(self, unit: UsedUnit, *, whole: bool = False) -> None:
-        """Play what a unit of the face was taken from, or the whole recording."""
-        table = self.drivers.performance.table
-        if table is not None:
-            self.original.play(table, unit, whole=whole)
 
     def follow_sound(self) -> None:
         """Look what is known of the current sound, since another one is open now."""
@@ -442,13 +445,13 @@ class TextModel(QObject):
         face = self.drivers.performance.spoken_face(language, voice.recordings) if look_up else None
         return (sentences, None) if face is None else (face.follow(sentences), face)
 
-    def _take_speech(self, speech: RunningSpeech, text: str, voice: VoiceChoice) -> None:
+    def _take_speech(self, speech: RunningSpeech, voice: VoiceChoice) -> None:
         session, self._speech = self._session, speech
         self.written.note_spoken()
         self.speech_view.open(0.0)
 
         def speak_again() -> SpooledSpeech:
-            return SpooledSpeech(self.tools.speak(text, speech.language, voice))
+            return SpooledSpeech(self.tools.speak(speech.script, speech.language, voice))
 
         sound = speech.speech, speak_again, voice.words
         session.take(lambda: SpokenSource(session.preset.in_force, session.playback, *sound))
@@ -482,7 +485,8 @@ class TextModel(QObject):
             self.drivers.follow(*self._known_of_file(utterance))
         else:
             self.drivers.follow(utterance, speech.text, spoken=speech.face)
-        self.known = None if utterance is None else self._transcript_of(utterance)
+        name, path = self._session.source.name, self.words.sound if self.editable else None
+        self.known = None if utterance is None else transcript_of_utterance(utterance, NOTHING, NOTHING, name, path)
         if not grown:
             self.known_changed.emit()
         self.changed.emit()
@@ -494,7 +498,3 @@ class TextModel(QObject):
         if utterance is None or path is None:
             return None, "", sound
         return replace(utterance, language=self._language_of_text or utterance.language), self.text, sound
-
-    def _transcript_of(self, utterance: Utterance) -> Transcript:
-        path = self.words.sound if self.editable else None
-        return transcript_of_utterance(utterance, NOTHING, NOTHING, self._session.source.name, path)

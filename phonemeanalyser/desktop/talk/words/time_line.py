@@ -114,7 +114,7 @@ class SpeechTimeline(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.setAccessibleName(tr("Timeline: words and phones over time"))
-        self._stale = False
+        self._stale = ""
         self.editor = LabelEditor(self)
         self._felt, self._writes = talking.felt_text, partial(self._texts.edits.name)
         self.editor.typed.connect(self._take_typed)
@@ -333,7 +333,7 @@ class SpeechTimeline(QWidget):
         if lane is not None and self._is_of_feelings(lane):
             self._ask_feeling(event.position(), None if found is None else found[1])
         elif found is not None and self._is_of_units(found[0]):
-            self._texts.play_original(self._units[found[1]], whole=True)
+            self._texts.original.play(self._units[found[1]], whole=True)
         elif found is not None and self._texts.edits.chosen is not None:
             self._session.pause()
             self._texts.edits.ask_rename()
@@ -345,7 +345,7 @@ class SpeechTimeline(QWidget):
         if found is None:
             self._session.seek(min(max(self.axis.time_at(place.x()), 0.0), self.view.duration))
         elif self._is_of_units(found[0]):
-            self._texts.play_original(self._units[found[1]])
+            self._texts.original.play(self._units[found[1]])
         else:
             lane = self.lanes[found[0]]
             self._texts.edits.play(float(lane.starts[found[1]]), float(lane.ends[found[1]]))

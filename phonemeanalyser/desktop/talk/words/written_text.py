@@ -8,6 +8,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.language import tr_noop
 from phonemeanalyser.desktop.program_folder import in_program
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.text.language_guess import guess_language
@@ -17,6 +18,8 @@ MOST_SOUNDS, MOST_LANGUAGES = 50, 5
 """Sounds whose texts are remembered, and languages that are offered first, because they were chosen last."""
 MOST_REMEMBERED = 200_000
 """Characters of all texts that are remembered."""
+ALIGN_AGAIN = tr_noop("The text has changed since these words were aligned. Align again.")
+SPEAK_AGAIN = tr_noop("The text has changed since these words were spoken. Speak again.")
 _DIRECTION = re.compile(r"\[[^\[\]\n]*\]")
 
 
