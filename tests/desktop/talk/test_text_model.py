@@ -253,7 +253,10 @@ def test_a_text_belongs_to_its_sound_and_comes_back_with_it(desk, tmp_path):
     assert desk.texts.text == ""
     desk.texts.set_text("und das ist nicht der Text")
     assert desk.texts.written.spoken_in == "de"
-    desk.open(tmp_path)
+    desk.stage.open(tmp_path)
+    desk.texts.follow_sound()  # once more, and the settings are saved, before the text is found
+    desk.texts.written.remember()
+    desk.wait()
     assert (desk.texts.text, desk.texts.written.language) == ("so oh", "en-us")
 
 

@@ -325,9 +325,9 @@ class TextModel(QObject):
                 self.words.follow(path)
             self._work.cancel()
             if another:
-                self.written.leave(path)
+                self.written.leave(path, waiting=True)
                 self.speakers, self.speaker, self._script = (), "", None
-            self._look_beside(with_script=another)
+            self._look_beside(with_script=self.written.waiting)
         self._tell()
 
     def tick(self) -> None:

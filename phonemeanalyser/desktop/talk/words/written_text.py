@@ -38,6 +38,7 @@ class WrittenText(QObject):
     recent : the languages that were chosen last, the newest first.
     remembered : text and language by the path of the sound, the newest last; those of no sound by an empty path.
     sound : whose script the text is; None where it is none's.
+    waiting : whether the text of the current sound is still looked for.
     """
 
     changed = Signal()
@@ -47,7 +48,7 @@ class WrittenText(QObject):
         self.text = self.language = self.guess = ""
         self.recent: list[str] = []
         self.remembered: dict[str, tuple[str, str]] = {}
-        self._in_file = ""
+        self._in_file, self.waiting = "", False
         self.sound: Path | None = None
         self._script = "", ""  # of the sound, and its language, as it was found or aligned last
         self._typed_without = False
@@ -66,7 +67,7 @@ class WrittenText(QObject):
     def set_text(self, text: str, *, is_script: bool = False) -> None:
         """Take another text; `is_script` where it is known to be what is said in the current sound."""
         if text != self.text:
-            self._typed_without = self.sound is None
+            self._typed_without, self.waiting = self.sound is None, False
             self._put(text, self.language)
         if is_script:
             self.note_script()
@@ -78,10 +79,10 @@ class WrittenText(QObject):
         if tag != self.language:
             self._put(self.text, tag)
 
-    def leave(self, sound: Path | None) -> None:
+    def leave(self, sound: Path | None, *, waiting: bool = False) -> None:
         """Remember the text of the current sound, since another one, or none, is current now."""
         self.remember()
-        self.sound = sound
+        self.sound, self.waiting = sound, waiting
 
     def note_script(self) -> None:
         """Take note that the text is what is said in the current sound."""
@@ -97,7 +98,9 @@ class WrittenText(QObject):
             self.text, self.language = spoken
 
     def remember(self) -> None:
-        """Remember the text of the current sound."""
+        """Remember the text of the current sound, once it is known."""
+        if self.waiting:
+            return
         key = str(self.sound or "")
         self.remembered.pop(key, None)
         if self.text.strip():
@@ -123,7 +126,7 @@ class WrittenText(QObject):
             text = said_in(known)
         elif not (found or text) and self._typed_without:
             text, language = self.text, self.language
-        self._typed_without = False
+        self._typed_without = self.waiting = False
         if found and found != text:
             text = found
         self._put(text, language)
