@@ -104,8 +104,8 @@ class SpeechTimeline(QWidget):
         edits = self._texts.edits
         self._word_acts = self.menu.put_first(
             {
-                tr("Rename Word or Phone (F2)"): edits.ask_rename,
-                tr("Delete Word or Phone (Del)"): edits.delete,
+                tr("Rename"): edits.ask_rename,
+                tr("Delete"): edits.delete,
                 tr("Realign This Word"): edits.realign,
             }
         )
