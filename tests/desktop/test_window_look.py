@@ -171,7 +171,7 @@ def test_no_menu_has_more_than_seven_entries_without_a_line(desktop, qtbot):
     assert play[-4:] == ["Louder", "Quieter", "Slower", "Faster"]
 
 
-LOWER_CASE = re.compile(r" (?!(?:a|as|at|by|for|from|in|of|on|the|to|with)\b)[a-z]")
+LOWER_CASE = re.compile(r" (?!(?:a|as|at|by|for|from|in|of|on|or|the|to|with)\b)[a-z]")
 """A word of an entry that has no capital, though it is none of the short ones."""
 
 
