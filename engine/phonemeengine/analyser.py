@@ -448,9 +448,8 @@ def _recogniser_key(preset: Preset) -> object:
 
 
 def _smoothing_of(preset: Preset) -> tuple[float, Mapping[Phoneme, Phoneme], float]:
-    settings = preset.settings
-    searched = preset.decoder is not None or preset.search is not None
-    return settings.minimum_hold, preset.successors, 0.0 if searched else settings.hysteresis
+    hysteresis = preset.settings.hysteresis if preset.decoder is None and preset.search is None else 0.0
+    return preset.settings.minimum_hold, preset.successors, hysteresis
 
 
 def analyse_blocks(
@@ -465,7 +464,8 @@ def analyse_blocks(
     """Analyse a whole sound, given as blocks for an `Analyser` with these options; ends with its last frames."""
     analyser = Analyser(preset, rate=rate, pitch=pitch, start=start, recogniser=recogniser)
     yield from filter(len, map(analyser.push, blocks))
-    yield from filter(len, (analyser.finish() for _ in range(1)))
+    if len(rest := analyser.finish()):
+        yield rest
 
 
 def analyse_file(
