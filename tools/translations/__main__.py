@@ -35,8 +35,9 @@ def main(begun: Iterable[str] = ()) -> int:
 
 def compile_translations(path: Path) -> None:
     """Make the .qm file that Qt reads of a .ts file."""
-    lrelease = Path(sys.executable).parent / "pyside6-lrelease"
-    subprocess.run([str(lrelease), "-silent", str(path), "-qm", str(path.with_suffix(".qm"))], check=True)
+    lrelease, made = Path(sys.executable).parent / "pyside6-lrelease", path.with_suffix(".qm.new")
+    subprocess.run([str(lrelease), "-silent", str(path), "-qm", str(made)], check=True)
+    made.replace(path.with_suffix(".qm"))  # a program that runs has mapped the old one
 
 
 if __name__ == "__main__":
