@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pyqtgraph as pg
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 
@@ -83,7 +83,10 @@ def test_a_tone_is_a_bright_line_at_its_frequency_and_what_is_seen_is_copied_as_
 
 def test_brightness_is_the_level_in_db_within_a_range_that_may_be_typed(close):
     assert TimeEyes(close).brightness(-1.0) == pytest.approx(255 * 40 / 60, abs=4)
+    menu = close.analysis.sonagram.low.window()
+    menu.popup(QPoint())
     type_number(close.analysis.sonagram.low, "-40")
+    menu.close()
     assert TimeEyes(close).brightness(-1.0) == pytest.approx(127, abs=4)
     lightness = []
     for low, high in ((-60, -20), (-25, -15)):
