@@ -225,3 +225,6 @@ def test_the_fields_of_the_sonagram_are_reached_by_keys_and_the_wheel_changes_no
         assert menu.focusWidget() is field
     assert not turn_wheel(choices.top, -1)
     menu.close()
+    menu.popup(QPoint())
+    assert menu.focusWidget() is None  # else Down would change a field
+    menu.close()

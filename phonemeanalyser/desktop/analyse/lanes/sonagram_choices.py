@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from PySide6.QtCore import QObject, Qt
-from PySide6.QtGui import QAction
+from PySide6.QtGui import QAction, QShowEvent
 from PySide6.QtWidgets import QFormLayout, QMenu, QToolButton, QWidget, QWidgetAction
 from typing_extensions import override
 
@@ -48,6 +48,13 @@ class _Fields(QWidget):
         field = self._fields[(at + (1 if forwards else -1)) % len(self._fields)]
         field.setFocus(Qt.FocusReason.TabFocusReason)
         return True
+
+    @override
+    def showEvent(self, event: QShowEvent) -> None:
+        """Open without the field that had the focus last, which Down would change; it leads to the first."""
+        if (before := self.window().focusWidget()) is not None:
+            before.clearFocus()
+        super().showEvent(event)
 
 
 class SonagramChoices(QObject):
