@@ -150,6 +150,7 @@ def said_in(utterance: Utterance) -> str:
 
 
 @lru_cache(4)  # asked several times at each key that is pressed
+@lru_cache(4)  # asked several times for each key that is typed, of texts of hours
 def same_words(one: str, other: str) -> bool:
     """Return whether two texts have the same words, whatever their marks, capitals and directions in brackets."""
     spoken = (_DIRECTION.sub(" ", text).casefold() for text in (one, other))
