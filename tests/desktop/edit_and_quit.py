@@ -2,7 +2,7 @@
 
 The second word names the sound that is waited for; further words are the program's own. A signal's name ends it by
 that signal; ``kill`` waits until the edits are on the disk. ``look`` edits nothing, prints what the window shows, and
-quits while threads still work. Exits with 9 and says why where a dialog appears that nobody asked for.
+quits while threads still work. Exits with 9 and prints the reason if an unexpected dialog appears.
 """
 
 import json

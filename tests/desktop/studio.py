@@ -103,8 +103,8 @@ class Studio:
 
         wait_for(look, what)
 
-    def hear(self, microphone: HandDrivenMicrophone, samples: NDArray[np.float32]) -> None:
-        """Have a microphone hear whole hops, and wait until all frames that they complete were taken."""
+    def feed(self, microphone: HandDrivenMicrophone, samples: NDArray[np.float32]) -> None:
+        """Give a microphone whole hops, and wait until all frames that they complete were taken."""
         n = sum(map(len, self.taken))
         before = self.given[microphone]
         self.given[microphone] += len(samples)
@@ -165,12 +165,12 @@ class Booth:
         self.qtbot.waitUntil(look)
 
     def give(self, microphone: HandDrivenMicrophone, samples: NDArray[np.float32]) -> None:
-        """Have a microphone hear samples."""
+        """Give a microphone samples."""
         self._given[microphone] += len(samples)
         microphone.give(samples)
 
-    def hear(self, microphone: HandDrivenMicrophone, samples: NDArray[np.float32]) -> None:
-        """Have a microphone hear samples, and wait until the views know all of them."""
+    def feed(self, microphone: HandDrivenMicrophone, samples: NDArray[np.float32]) -> None:
+        """Give a microphone samples, and wait until the views know all of them."""
         known, before = len(self.frames), frames_in(self._given[microphone])
         self.give(microphone, samples)
         n = known + frames_in(self._given[microphone]) - before

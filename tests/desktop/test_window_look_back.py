@@ -13,7 +13,7 @@ from tests.sounds import noise
 
 def test_what_was_heard_is_seen_like_a_file_and_live_goes_on(booth: Booth, mic: HandDrivenMicrophone, tmp_path):
     window, session = booth.window, booth.desktop.session
-    booth.hear(mic, noise(2.0))
+    booth.feed(mic, noise(2.0))
     QTest.mouseClick(window.analysis.scroll_view.back, LEFT)
     booth.until(lambda: session.seen.looks_back and not session.busy)
     assert window.analysis.over_time.currentWidget() is window.analysis.file
@@ -25,7 +25,7 @@ def test_what_was_heard_is_seen_like_a_file_and_live_goes_on(booth: Booth, mic: 
     window.selection.save(target)
     booth.until(target.exists)
     frames = booth.frames
-    booth.hear(mic, noise(0.5))
+    booth.feed(mic, noise(0.5))
     assert len(booth.frames) > len(frames)
     window.menus.actions["Insert Label"].trigger()
     booth.until(lambda: booth.banner.startswith("The history can't be labelled"))
@@ -36,9 +36,9 @@ def test_what_was_heard_is_seen_like_a_file_and_live_goes_on(booth: Booth, mic: 
 
 def test_what_was_heard_since_clear_is_averaged(booth: Booth, mic: HandDrivenMicrophone):
     session = booth.desktop.session
-    booth.hear(mic, noise(0.5))
+    booth.feed(mic, noise(0.5))
     session.clear()
-    booth.hear(mic, noise(1.0))
+    booth.feed(mic, noise(1.0))
     booth.window.dialogs.curves.add_microphone()
     booth.until(lambda: len(session.curves.curves) == 1)
     (curve,) = session.curves.curves
@@ -52,7 +52,7 @@ def test_what_was_heard_since_clear_is_averaged(booth: Booth, mic: HandDrivenMic
 
 def test_clear_forgets_it_and_nothing_heard_is_said(booth: Booth, mic: HandDrivenMicrophone):
     session = booth.desktop.session
-    booth.hear(mic, noise(0.5))
+    booth.feed(mic, noise(0.5))
     session.look_back(True)
     assert session.seen.looks_back
     session.clear()

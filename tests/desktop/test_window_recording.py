@@ -32,7 +32,7 @@ def known(first: int, n_hops: int) -> np.ndarray:
 def recorded(booth: Booth, mic: HandDrivenMicrophone, n_hops: int, end: Callable[[], object]) -> Path:
     """Record some hops with R, end that, wait for the offer, and give the file."""
     booth.record()
-    booth.hear(mic, known(0, n_hops))
+    booth.feed(mic, known(0, n_hops))
     end()
     booth.until(lambda: booth.banner.startswith(f"Recorded {n_hops / 100:.1f} s to "))
     assert not booth.studio.model.recording
@@ -43,7 +43,7 @@ def test_key_button_and_menu_record_and_the_averaged_spectrum_begins_anew(booth:
     window, averages = booth.window, booth.desktop.session.averages
     by_button = lambda: click(window.transport.record, 12)  # noqa: E731
     by_menu = window.menus.actions["Record"].trigger
-    booth.hear(mic, known(0, 30))
+    booth.feed(mic, known(0, 30))
     assert (averages.n_frames, averages.since) == (len(booth.frames), "Play at 0.00 s of Microphone")
     for begin, end, suffix in ((by_button, by_menu, ".wav"), (by_menu, booth.record, ".flac")):
         kinds, phonemes = window.transport.record.kinds, window.transport.record.phonemes
@@ -51,7 +51,7 @@ def test_key_button_and_menu_record_and_the_averaged_spectrum_begins_anew(booth:
         n_before = len(booth.frames)
         begin()
         assert window.transport.record.isChecked()
-        booth.hear(mic, known(30, 60))
+        booth.feed(mic, known(30, 60))
         assert averages.n_frames == len(booth.frames) - n_before
         assert averages.since == f"Record at {n_before / 100:.2f} s of Microphone"
         end()
@@ -78,7 +78,7 @@ def test_r_makes_room_for_the_microphone_whatever_was_in_use(open_booth: Open, m
     booth = open_booth(mic)
     press(booth.window, Qt.Key.Key_Space)
     booth.record()
-    booth.hear(mic, known(0, 40))
+    booth.feed(mic, known(0, 40))
     assert booth.desktop.session.source.kind is SourceKind.MICROPHONE
     booth.record()
     booth.until(lambda: booth.banner.startswith("Recorded 0.4 s"))
@@ -91,7 +91,7 @@ def test_the_label_shows_how_much_is_on_the_disk_or_that_nothing_comes(booth: Bo
     time = booth.window.transport.time
     booth.record()
     assert time.text() == "waiting 0:00.0"
-    booth.hear(mic, known(0, 130))
+    booth.feed(mic, known(0, 130))
     booth.until(lambda: time.text() >= "● 0:01.3", mic)
     assert time.palette().color(time.foregroundRole()) == QColor(booth.window.theme.bad)
     booth.until(lambda: time.text().startswith("waiting "))
@@ -140,7 +140,7 @@ def test_a_folder_that_vanishes_is_one_sentence_and_what_was_recorded_is_kept(
 ):
     booth.studio.model.folder = tmp_path / "stick"
     booth.record()
-    booth.hear(mic, known(0, 60))
+    booth.feed(mic, known(0, 60))
     booth.until(lambda: booth.studio.model.recorded_seconds > 0.5, mic)
     shutil.rmtree(tmp_path / "stick")
     booth.until(lambda: "has gone" in booth.banner, mic)
@@ -152,7 +152,7 @@ def test_a_folder_that_vanishes_is_one_sentence_and_what_was_recorded_is_kept(
 
 def test_a_dropped_file_ends_the_recording_and_its_offer_still_comes(booth: Booth, mic: HandDrivenMicrophone):
     booth.record()
-    booth.hear(mic, known(0, 50))
+    booth.feed(mic, known(0, 50))
     mime = QMimeData()
     mime.setUrls([QUrl.fromLocalFile(str(DEMO))])
     copy, left, no_key = Qt.DropAction.CopyAction, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
@@ -167,10 +167,10 @@ def test_a_dropped_file_ends_the_recording_and_its_offer_still_comes(booth: Boot
 @pytest.mark.usefixtures("open_own_booth")
 def test_another_theme_records_on_and_closing_the_window_finishes_it(booth: Booth, mic: HandDrivenMicrophone):
     booth.record()
-    booth.hear(mic, known(0, 30))
+    booth.feed(mic, known(0, 30))
     booth.desktop.set_theme("dark" if booth.window.theme.name == "light" else "light")
     assert booth.window.transport.record.isChecked()
-    booth.hear(mic, known(30, 30))
+    booth.feed(mic, known(30, 30))
     assert booth.window.close()
     booth.desktop.session.close()
     np.testing.assert_array_equal(samples_in(booth.studio.take)[:, 0], known(0, 60))
@@ -186,7 +186,7 @@ def test_the_recordings_folder_is_chosen_shown_and_kept(booth: Booth, mic: HandD
     assert str(chosen) in record.folder.text()
     assert str(chosen) in record.toolTip()
     booth.record()
-    booth.hear(mic, known(0, 30))
+    booth.feed(mic, known(0, 30))
     press(booth.window, Qt.Key.Key_Space)  # to stop listening ends it
     booth.until(lambda: str(chosen) in booth.banner)
     booth.window.save_state()
@@ -237,7 +237,7 @@ def test_a_microphone_that_comes_back_at_another_rate_goes_into_a_file_of_its_ow
     booth = open_booth(first)
     booth.listen()
     booth.record()
-    booth.hear(first, known(0, 50))
+    booth.feed(first, known(0, 50))
     first.lost = True
     booth.studio.openers.waiting.append(second)
     booth.until(lambda: len(booth.studio.files) == 2 and booth.studio.model.recorded_seconds > 0, second)

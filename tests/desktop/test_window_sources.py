@@ -91,7 +91,7 @@ def test_every_text_has_room_while_it_records_and_says_the_most(open_booth: Open
     window.resize(*size)
     booth.record()
     booth.until(lambda: window.transport.microphone.device.count() == 4)
-    booth.hear(mic, tone(1000, 0.3, 1.0))
+    booth.feed(mic, tone(1000, 0.3, 1.0))
     booth.until(lambda: "Latency" in booth.status, mic)
     for page in PAGES:
         if page != "Microphone":

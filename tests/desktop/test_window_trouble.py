@@ -36,7 +36,7 @@ def test_a_microphone_that_vanishes_in_mid_recording_is_waited_for_and_the_loss_
 ):
     back = HandDrivenMicrophone(name=DESK.label)
     booth.record()
-    booth.hear(mic, noise(0.3))
+    booth.feed(mic, noise(0.3))
     assert "s lost" not in booth.status
     mic.lost = True
     booth.until(lambda: booth.banner.endswith("; the recording continues once the signal is back."))
@@ -84,7 +84,7 @@ def test_the_window_lives_while_a_microphone_hangs_and_another_source_can_be_cho
 def test_a_recogniser_that_fails_while_it_listens_lets_the_microphone_go_with_a_sentence(
     booth: Booth, mic: HandDrivenMicrophone
 ):
-    booth.hear(mic, noise(0.2))
+    booth.feed(mic, noise(0.2))
     mic.fault = EngineError("it cannot be recognised; choose another recogniser")
     booth.until(lambda: booth.banner == "it cannot be recognised; choose another recogniser")
     assert not booth.desktop.session.source.playing

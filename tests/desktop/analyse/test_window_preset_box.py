@@ -129,7 +129,7 @@ def test_one_s_own_presets_and_those_used_lately_are_listed_and_remembered(deskt
 
 @pytest.fixture
 def old(desktop, window, tmp_path) -> Path:
-    """A PhonemeData file in hand, and a number that was changed."""
+    """An open PhonemeData file with a changed number."""
     path = tmp_path / "old.phonemedata"
     path.write_bytes((files.FACTORY / "thesis.phonemedata").read_bytes())
     window.dialogs.presets.load(path)

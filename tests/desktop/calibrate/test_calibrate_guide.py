@@ -138,7 +138,7 @@ def test_one_sentence_that_is_read_teaches_the_voice_and_the_head_says_it_with_t
     preset.load(DEFAULT_PRESET)
     preset.set_recogniser(recogniser)
     before = preset.preset
-    better = load_preset(DEFAULT_PRESET)  # whatever the takes teach: the learned one hears this voice better
+    better = load_preset(DEFAULT_PRESET)  # in place of what the takes give: this model recognises the voice better
     alone = "x.onnx: is no real-time model; until then the small network recognises live sound, and it alone learned."
     learned_from: list[LabelledUtterance] = []
 
@@ -173,11 +173,11 @@ def test_one_sentence_that_is_read_teaches_the_voice_and_the_head_says_it_with_t
     assert alone in view.advice.text()
     session, heard = guided.booth.desktop.session, list[object]()
     session.analysed.connect(heard.extend)
-    for button, hears in ((view.play_old, before), (view.play_new, better)):
+    for button, expected in ((view.play_old, before), (view.play_new, better)):
         click(button)
         assert session.path == spoken.path
         assert session.source.playing
-        assert preset.in_force == hears
+        assert preset.in_force == expected
         assert preset.preset == before  # hearing it changes nothing
         heard.clear()
         guided.until(lambda: len(heard) > 2)

@@ -37,7 +37,7 @@ os._exit(9)
 
 
 def test_what_is_heard_is_what_the_analysis_of_a_file_finds(studio: Studio, mic: HandDrivenMicrophone) -> None:
-    studio.hear(mic, HEARD)
+    studio.feed(mic, HEARD)
     found = joined(studio.taken)
     expected = offline(HEARD).part(slice(0, len(found)))
     np.testing.assert_array_equal(found.phonemes, expected.phonemes)
@@ -64,7 +64,7 @@ def test_another_choice_lets_the_old_microphone_go_and_is_no_trouble(
     other = HandDrivenMicrophone(rate=48_000, name="Headset · ALSA")
     studio = open_studio(mic, other)
     studio.model.listen(PRESET)
-    studio.hear(mic, noise(0.2))
+    studio.feed(mic, noise(0.2))
     studio.model.choose(InputChoice("Headset", rate=48_000))
     other.give(noise(0.2))
     studio.until(lambda: studio.model.words.startswith("Headset"))
@@ -76,7 +76,7 @@ def test_another_choice_lets_the_old_microphone_go_and_is_no_trouble(
 
 
 def test_stopping_lets_the_microphone_go(studio: Studio, mic: HandDrivenMicrophone) -> None:
-    studio.hear(mic, noise(0.2))
+    studio.feed(mic, noise(0.2))
     studio.model.stop()
     assert not studio.model.active
     assert mic.closed.wait(60)
@@ -102,10 +102,10 @@ def test_neither_listening_nor_recording_is_interrupted_for_the_list(
     studio: Studio, mic: HandDrivenMicrophone
 ) -> None:
     studio.model.begin_recording()
-    studio.hear(mic, known(0, 20)[:, 0])
+    studio.feed(mic, known(0, 20)[:, 0])
     studio.model.refresh_devices()
     studio.until(lambda: studio.model.devices)
-    studio.hear(mic, known(20, 20)[:, 0])
+    studio.feed(mic, known(20, 20)[:, 0])
     studio.model.end_recording()
     studio.until(lambda: studio.recorded)
     np.testing.assert_array_equal(samples_in(studio.take), known(0, 40))
@@ -130,12 +130,12 @@ def test_a_recording_holds_exactly_what_was_heard_while_it_ran(
     studio: Studio, mic: HandDrivenMicrophone, suffix: str
 ) -> None:
     studio.model.suffix, studio.model.with_phonemes = suffix, True
-    studio.hear(mic, known(0, 30)[:, 0])
+    studio.feed(mic, known(0, 30)[:, 0])
     studio.model.begin_recording()
-    studio.hear(mic, known(30, 50)[:, 0])
+    studio.feed(mic, known(30, 50)[:, 0])
     studio.until(lambda: studio.model.recorded_seconds > 0.3)
     studio.model.end_recording()
-    studio.hear(mic, known(80, 10)[:, 0])
+    studio.feed(mic, known(80, 10)[:, 0])
     studio.until(lambda: studio.recorded)
     assert studio.recorded == [(str(studio.take), pytest.approx(0.5))]
     assert studio.take.suffix == suffix
@@ -158,7 +158,7 @@ def test_a_folder_that_cannot_be_made_ends_the_recording_with_one_sentence(
     (tmp_path / "file").write_text("no folder")
     studio.model.folder = tmp_path / "file" / "takes"
     studio.model.begin_recording()
-    studio.hear(mic, noise(0.2))
+    studio.feed(mic, noise(0.2))
     studio.until(lambda: studio.failed)
     assert len(studio.failed) == 1
     assert "this folder for recordings cannot be made" in studio.failed[0]
@@ -172,7 +172,7 @@ def test_a_folder_that_vanishes_ends_the_recording_and_what_is_there_is_saved_el
 ) -> None:
     studio.model.folder = tmp_path / "stick"
     studio.model.begin_recording()
-    studio.hear(mic, known(0, 60)[:, 0])
+    studio.feed(mic, known(0, 60)[:, 0])
     studio.until(lambda: studio.model.recorded_seconds > 0.5)
     shutil.rmtree(tmp_path / "stick")
     studio.until(lambda: studio.failed)
@@ -185,7 +185,7 @@ def test_a_folder_that_vanishes_ends_the_recording_and_what_is_there_is_saved_el
 
 def test_closing_finishes_the_recording(studio: Studio, mic: HandDrivenMicrophone) -> None:
     studio.model.begin_recording()
-    studio.hear(mic, known(0, 40)[:, 0])
+    studio.feed(mic, known(0, 40)[:, 0])
     studio.model.close()
     np.testing.assert_array_equal(samples_in(studio.take), known(0, 40))
     assert studio.model.interrupted_recordings() == []

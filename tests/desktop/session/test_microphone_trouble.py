@@ -33,7 +33,7 @@ def test_a_missing_microphone_is_told_once_and_so_is_its_coming(
     studio.until(lambda: len(studio.openers.asked) > n_asked + 3)
     assert [told for told in studio.failed if told != "Opening the microphone."] == [refusal]  # that where it is slow
     studio.openers.waiting.append(mic)
-    studio.hear(mic, noise(0.2))
+    studio.feed(mic, noise(0.2))
     studio.until(lambda: studio.told)
     assert studio.told == ["The microphone is back: Desk · ALSA. 0.0 s of its signal were lost."]
 
@@ -46,14 +46,14 @@ def test_a_microphone_that_comes_back_is_recorded_on_and_the_gap_is_counted(
     studio.model.listen(PRESET)
     studio.model.begin_recording()
     began = time.monotonic()
-    studio.hear(mic, known(0, 20)[:, 0])
+    studio.feed(mic, known(0, 20)[:, 0])
     mic.lost = True
     studio.until(lambda: studio.failed)
     assert studio.failed[0].endswith("; the recording continues once the signal is back.")
     assert (studio.model.recording, studio.model.listening) == (True, False)
     assert studio.model.latency is None
     studio.openers.waiting.append(back)
-    studio.hear(back, known(20, 20)[:, 0])
+    studio.feed(back, known(20, 20)[:, 0])
     assert 0 < studio.model.listener.lost_seconds <= time.monotonic() - began
     studio.model.end_recording()
     studio.until(lambda: studio.recorded)
@@ -70,11 +70,11 @@ def test_silence_takes_the_place_of_the_gap_where_that_is_chosen(
     studio.model.fill_gaps = True
     studio.model.listen(PRESET)
     studio.model.begin_recording()
-    studio.hear(mic, known(0, 20)[:, 0])
+    studio.feed(mic, known(0, 20)[:, 0])
     mic.lost = True
     studio.until(lambda: studio.failed)
     studio.openers.waiting.append(back)
-    studio.hear(back, known(20, 20)[:, 0])
+    studio.feed(back, known(20, 20)[:, 0])
     studio.model.end_recording()
     studio.until(lambda: studio.recorded)
     found = samples_in(studio.take)
@@ -111,15 +111,15 @@ def test_what_clicks_measured_takes_the_place_of_the_cards_word_until_another_is
     studio = open_studio(mic, back, third)
     studio.measure = lambda _choice: MEASURED
     studio.model.listen(PRESET)
-    studio.hear(mic, noise(0.2))
+    studio.feed(mic, noise(0.2))
     assert studio.model.latency.capture == mic.delay
     studio.model.measure()
     studio.until(lambda: studio.told)
     assert "Round-trip latency 120 ms (8 of 8 clicks detected" in studio.told[0]
-    studio.hear(back, noise(0.2))
+    studio.feed(back, noise(0.2))
     assert studio.model.latency.capture == MEASURED.capture
     studio.model.choose(InputChoice("Headset"))
-    studio.hear(third, noise(0.2))
+    studio.feed(third, noise(0.2))
     assert studio.model.latency.capture == third.delay
 
 

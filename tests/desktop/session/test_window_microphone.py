@@ -43,11 +43,11 @@ def test_choosing_the_microphone_listens_and_space_lets_it_go_and_takes_it_again
     assert player is not None
     booth.until(lambda: not player._thread.is_alive())
     assert session.source.player is None
-    booth.hear(mic, A)
+    booth.feed(mic, A)
     booth.go_to_view()
     press(booth.window, Qt.Key.Key_C)
     assert session.history.n == 0
-    booth.hear(mic, A)
+    booth.feed(mic, A)
     assert session.history.n == 40  # listening goes on
     assert session.source.kind is SourceKind.MICROPHONE
     assert booth.window.windowTitle().startswith("Microphone - ")
@@ -59,21 +59,21 @@ def test_choosing_the_microphone_listens_and_space_lets_it_go_and_takes_it_again
     booth.until(mic.closed.is_set)
     booth.until(lambda: "Microphone: not listening" in booth.status)
     click(transport.play)
-    booth.hear(again, A)
+    booth.feed(again, A)
     booth.until(lambda: "Microphone: Desk" in booth.status, again)
 
 
 def test_a_sine_is_seen_at_its_frequency_and_the_level_meter_holds_and_clips(booth: Booth, mic: HandDrivenMicrophone):
     listener = booth.studio.model.listener
-    booth.hear(mic, tone(1000, 0.2, 0.25))
+    booth.feed(mic, tone(1000, 0.2, 0.25))
     assert listener.level.held == pytest.approx(0.25, abs=0.001)
     assert listener.level.clipped_ago is None
-    booth.hear(mic, tone(1000, 0.1, 1.0))
+    booth.feed(mic, tone(1000, 0.1, 1.0))
     assert words_of(listener.level.clipped_ago) == "CLIPPED"
     assert listener.level.held == pytest.approx(1, abs=0.001)
-    booth.hear(mic, silence(0.5))
+    booth.feed(mic, silence(0.5))
     assert listener.level.peak < 1
-    booth.hear(mic, tone(ON_BIN, 1.0, 0.5))
+    booth.feed(mic, tone(ON_BIN, 1.0, 0.5))
     booth.window.redraw.refresh_all()
     x, y = booth.window.analysis.spectrum.item.curves[0].getData()
     assert x[np.argmax(y)] == pytest.approx(ON_BIN, abs=BIN_WIDTH)
@@ -85,7 +85,7 @@ def test_a_sine_is_seen_at_its_frequency_and_the_level_meter_holds_and_clips(boo
 def test_the_phonemes_are_those_of_the_analysis_of_a_file_until_a_threshold_is_dragged(
     booth: Booth, mic: HandDrivenMicrophone
 ):
-    booth.hear(mic, HEARD)
+    booth.feed(mic, HEARD)
     booth.window.redraw.refresh_all()
     history = booth.desktop.session.history
     found = history.phonemes[history.indices(0, history.n)]
@@ -94,13 +94,13 @@ def test_the_phonemes_are_those_of_the_analysis_of_a_file_until_a_threshold_is_d
     assert len(np.unique(found)) > 3
     assert booth.window.analysis.phoneme.phoneme == Phoneme(int(expected[-1]))
     assert booth.frames == list(range(len(expected)))
-    booth.hear(mic, A)
+    booth.feed(mic, A)
     assert history.phonemes[history.n - 1] == Phoneme.A
     n = history.n
     for name in ("silence_energy", "silence_max_energy"):
         slider = booth.window.analysis.thresholds.rows[name].slider
         drag(slider, slider.width() / 2, slider.width() + 50)
-    booth.hear(mic, A)
+    booth.feed(mic, A)
     phonemes = history.phonemes[history.indices(0, history.n)]
     assert phonemes[n - 15] == Phoneme.A
     assert set(phonemes[-20:]) == {Phoneme.SILENCE}
@@ -124,7 +124,7 @@ def test_back_at_the_file_it_stands_where_it_was_left(booth: Booth, mic: HandDri
 
 
 def test_opening_a_file_while_it_listens_lets_the_microphone_go(booth: Booth, mic: HandDrivenMicrophone):
-    booth.hear(mic, A)
+    booth.feed(mic, A)
     booth.window.files.show = FileAnswers(DEMO)
     press(booth.window, Qt.Key.Key_O, Qt.KeyboardModifier.ControlModifier)
     assert booth.desktop.session.source.kind is SourceKind.FILE
@@ -136,13 +136,13 @@ def test_opening_a_file_while_it_listens_lets_the_microphone_go(booth: Booth, mi
 @pytest.mark.long
 @pytest.mark.usefixtures("open_own_booth")
 def test_another_theme_goes_on_listening(booth: Booth, mic: HandDrivenMicrophone):
-    booth.hear(mic, A)
+    booth.feed(mic, A)
     old = booth.window
     booth.desktop.set_theme("dark" if old.theme.name == "light" else "light")
     assert booth.window is not old
     assert booth.window.transport.source.currentText() == "Microphone"
     assert not mic.closed.is_set()
-    booth.hear(mic, A)
+    booth.feed(mic, A)
     assert booth.frames == list(range(len(booth.frames)))
 
 
@@ -183,7 +183,7 @@ def test_the_second_channel_is_heard(open_booth: Open):
     booth = open_booth(stereo)
     booth.listen()
     booth.until(lambda: booth.window.transport.microphone.device.count() == 3)
-    booth.hear(stereo, np.stack((tone(ON_BIN, 0.3), silence(0.3)), axis=1))
+    booth.feed(stereo, np.stack((tone(ON_BIN, 0.3), silence(0.3)), axis=1))
     assert booth.desktop.session.history.newest.features.frame(0)["volume"] > 0.9
 
 
@@ -191,10 +191,10 @@ def test_another_buffer_is_asked_of_the_microphone_at_once(open_booth: Open):
     first, second = HandDrivenMicrophone(), HandDrivenMicrophone(name="the same again")
     booth = open_booth(first, second)
     booth.listen()
-    booth.hear(first, noise(0.2))
+    booth.feed(first, noise(0.2))
     booth.window.transport.record.buffers[0.04].trigger()
     booth.until(lambda: len(booth.studio.openers.asked) == 2)
-    booth.hear(second, noise(0.2))
+    booth.feed(second, noise(0.2))
     assert [choice.latency for choice in booth.studio.openers.asked] == [0.08, 0.04]
     assert booth.studio.model.listener.lost_seconds == 0
 

@@ -362,7 +362,7 @@ def test_the_head_says_what_the_microphone_hears(open_booth, mic, graphics):
     booth.listen()
     press(booth.window, Qt.Key.Key_3, CONTROL)
     booth.until(lambda: booth.desktop.talking.face.states is not None)
-    booth.hear(mic, vowel((700, 1200, 2500), 0.3))
+    booth.feed(mic, vowel((700, 1200, 2500), 0.3))
     booth.until(lambda: jaw(booth.desktop) > 15)
     booth.until(lambda: jaw(booth.desktop) < 1, mic)
 
