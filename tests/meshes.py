@@ -117,11 +117,7 @@ GLTF: dict = {
             "componentType": 5126,
             "count": 8,
             "type": "VEC3",
-            "sparse": {
-                "count": 4,
-                "indices": {"bufferView": 2, "componentType": 5121},
-                "values": {"bufferView": 3},
-            },
+            "sparse": {"count": 4, "indices": {"bufferView": 2, "componentType": 5121}, "values": {"bufferView": 3}},
         },
         {"bufferView": 4, "componentType": 5126, "count": 8, "type": "VEC3"},
     ],
@@ -133,10 +129,7 @@ GLTF: dict = {
         {"buffer": 0, "byteOffset": _AT[4], "byteLength": 128, "byteStride": 16},
     ],
     "buffers": [
-        {
-            "byteLength": len(_BUFFER),
-            "uri": "data:application/gltf;base64," + base64.b64encode(_BUFFER).decode(),
-        }
+        {"byteLength": len(_BUFFER), "uri": "data:application/gltf;base64," + base64.b64encode(_BUFFER).decode()}
     ],
 }
 """The cube, twice as large and 10 to the right, with a sparse and an interleaved morph target."""

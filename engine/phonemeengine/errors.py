@@ -133,10 +133,7 @@ class TakeError(CorpusError):
 
 
 def check_range(
-    what: str,
-    value: float,
-    limits: tuple[float, float, str],
-    error: type[EngineError] = SettingsError,
+    what: str, value: float, limits: tuple[float, float, str], error: type[EngineError] = SettingsError
 ) -> None:
     """Refuse a number that is not finite, or lies outside its limits.
 

@@ -26,12 +26,7 @@ from phonemeengine.encoder.mel import LEAST_PEAK
 from phonemeengine.storage.files import atomic_write
 from phonemetraining.config import TrainingConfig
 from phonemetraining.examples import Examples
-from phonemetraining.networks import (
-    N_PHONEMES,
-    SmallNetwork,
-    TrainableEncoder,
-    with_running_floor,
-)
+from phonemetraining.networks import N_PHONEMES, SmallNetwork, TrainableEncoder, with_running_floor
 from phonemetraining.spectra import SMALL_BANDS, WHISPER_BANDS, disturbed, warped
 
 SMOOTHING = 0.05

@@ -13,14 +13,7 @@ from typing_extensions import override
 
 from phonemeengine import FORMATS
 from phonemeengine.batch.remote import place_of
-from phonemeengine.conversion.options import (
-    EXPRESSED,
-    OPTIONS,
-    PICTURED,
-    WEIGHTED,
-    ConversionOptions,
-    Number,
-)
+from phonemeengine.conversion.options import EXPRESSED, OPTIONS, PICTURED, WEIGHTED, ConversionOptions, Number
 from phonemeengine.errors import OptionError, meant_by, remedy
 from phonemeengine.mouth.exports.formats import formats_for
 from phonemeengine.settings import OLD_MODEL_KINDS

@@ -2,16 +2,7 @@
 
 import argparse
 
-from phonemeanalyser.cli.arguments import (
-    HEARD,
-    MOVED,
-    SAID,
-    add_batch,
-    add_options,
-    add_sounds,
-    format_of,
-    given,
-)
+from phonemeanalyser.cli.arguments import HEARD, MOVED, SAID, add_batch, add_options, add_sounds, format_of, given
 from phonemeanalyser.cli.jobs import file_preset, finish_jobs, is_single, jobs_of, say_note, share_paths
 from phonemeengine import FORMATS, EngineError
 from phonemeengine.conversion.options import DRIVEN

@@ -125,14 +125,7 @@ def _files_of(options: argparse.Namespace, asked: ConversionOptions, driving: Dr
     if options.recording is None:
         refuse_unused(options, ("preset", "channel"), "goes with --recording; name an audio file there")
     return SpeechFiles(
-        options.out,
-        options.labels,
-        options.export,
-        options.plan,
-        exporter,
-        driving,
-        say_note,
-        asked.overwrite,
+        options.out, options.labels, options.export, options.plan, exporter, driving, say_note, asked.overwrite
     )
 
 

@@ -15,11 +15,7 @@ DEMO = Path(__file__).parents[1] / "demo" / "demo.flac"
 NO_DISPLAY = 3
 """Exit code where there is no display."""
 
-EXAMPLES = (
-    "phonemeanalyser",
-    "phonemeanalyser speech.wav --preset my-voice.toml",
-    "phonemeanalyser --licences",
-)
+EXAMPLES = ("phonemeanalyser", "phonemeanalyser speech.wav --preset my-voice.toml", "phonemeanalyser --licences")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -37,11 +37,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
 Commands = tuple[Command | None, ...]
-PRESET_COMMANDS = (
-    tr_noop("Save Preset"),
-    tr_noop("Save Preset As…"),
-    tr_noop("Preset Notes…"),
-)
+PRESET_COMMANDS = (tr_noop("Save Preset"), tr_noop("Save Preset As…"), tr_noop("Preset Notes…"))
 PAGES = (tr_noop("Analyse"), tr_noop("Calibrate"), tr_noop("Talk"))
 
 
@@ -202,10 +198,7 @@ def connect_score(score: ScoreStrip, show_page: Callable[[int], None], labels: L
 
 
 def connect_cards(
-    cards: WelcomeCards,
-    session: Session,
-    show_page: Callable[[int], None],
-    calibrate: Callable[[], object],
+    cards: WelcomeCards, session: Session, show_page: Callable[[int], None], calibrate: Callable[[], object]
 ) -> None:
     """Have the cards of the first start lead somewhere; the program itself plays the demo and animates."""
 

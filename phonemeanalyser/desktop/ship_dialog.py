@@ -79,12 +79,7 @@ class ShipDialog(QDialog):
     ordered = Signal(object)
 
     def __init__(
-        self,
-        preset: Preset,
-        sections: Callable[[], Sections],
-        settings: QSettings,
-        files: FileAsker,
-        parent: QWidget,
+        self, preset: Preset, sections: Callable[[], Sections], settings: QSettings, files: FileAsker, parent: QWidget
     ) -> None:
         super().__init__(parent)
         self._in_hand, self._settings, self._files = preset, settings, files

@@ -268,10 +268,7 @@ def sound_track(reader: SoundReader, start: float = 0.0, end: float | None = Non
 
 
 def _pictures_of(
-    players: Sequence[AnimationPlayer],
-    draw: Callable[..., UInt8Array],
-    background: str | None,
-    progress: Progress,
+    players: Sequence[AnimationPlayer], draw: Callable[..., UInt8Array], background: str | None, progress: Progress
 ) -> Iterator[list[UInt8Array]]:
     """Take the pictures of all heads, frame by frame."""
     colour = None if background is None else colour_of(background)

@@ -8,15 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from phonemeanalyser.reports.report import (
-    CLASSES,
-    Report,
-    ScoredPreset,
-    clock,
-    confusion_shares,
-    short,
-    written,
-)
+from phonemeanalyser.reports.report import CLASSES, Report, ScoredPreset, clock, confusion_shares, short, written
 from phonemeengine.arrays import Int64Array
 from phonemeengine.calibration.scores.comparison import Difference, DifferingSegment, PresetComparison
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores, Predictions

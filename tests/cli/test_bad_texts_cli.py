@@ -109,12 +109,7 @@ def test_what_the_voice_reads_needs_no_note(command: list[str], tmp_path: Path, 
 )
 @pytest.mark.parametrize("command", ["analyse"], indirect=True)
 def test_a_lexicon_with_nonsense_is_refused_and_nothing_is_written(
-    command: list[str],
-    name: str,
-    content: str | None,
-    sentence: str,
-    tmp_path: Path,
-    capsys: Capsys,
+    command: list[str], name: str, content: str | None, sentence: str, tmp_path: Path, capsys: Capsys
 ) -> None:
     (tmp_path / "text.txt").write_text(TEXT, encoding="utf-8")
     if content is not None:

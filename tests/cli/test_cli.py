@@ -144,10 +144,7 @@ def test_a_preset_or_a_mouth_table_that_is_not_there_is_named(
     ("words", "sentence"),
     [
         (["analyse", "x.wav", "--fromat", "csv"], "analyse: '--fromat' is unknown; did you mean --format?"),
-        (
-            ["analyse", "x.wav", "--format", "jsn"],
-            "analyse: --format: there is no 'jsn'; did you mean json?",
-        ),
+        (["analyse", "x.wav", "--format", "jsn"], "analyse: --format: there is no 'jsn'; did you mean json?"),
         (["exprot", "x.wav"], "there is no command 'exprot'; did you mean export?"),
         (["movestates", "inof", "x"], "movestates: WHAT: there is no 'inof'; did you mean info?"),
         (

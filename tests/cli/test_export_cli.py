@@ -183,12 +183,7 @@ def test_help_names_every_format_and_what_reads_it(capsys: Capsys) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "kind"),
-    [
-        ("x.glb", "gltf"),
-        ("x.LiveLink.csv", "livelink-csv"),
-        ("x.curves.json", "curves-json"),
-    ],
+    ("name", "kind"), [("x.glb", "gltf"), ("x.LiveLink.csv", "livelink-csv"), ("x.curves.json", "curves-json")]
 )
 def test_the_ending_of_a_file_says_its_format_where_one_alone_ends_so(
     name: str, kind: str, sound: Path, tmp_path: Path

@@ -135,12 +135,7 @@ def write_recordings(folder: Path) -> None:
             shutil.copy(path, folder / place)
 
 
-PREPARED = {
-    "takes": write_takes,
-    "rules": write_recordings,
-    "score": write_recordings,
-    "spectra": write_recordings,
-}
+PREPARED = {"takes": write_takes, "rules": write_recordings, "score": write_recordings, "spectra": write_recordings}
 
 
 @pytest.mark.usefixtures("home")

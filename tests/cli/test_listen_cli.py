@@ -211,10 +211,7 @@ def test_the_look_ahead_is_the_presets_or_the_users(
 
 
 def test_recording_keeps_the_length_and_reports_it(
-    microphone: HandDrivenMicrophone,
-    listener: Callable[..., HandDrivenListener],
-    capsys: Capsys,
-    tmp_path: Path,
+    microphone: HandDrivenMicrophone, listener: Callable[..., HandDrivenListener], capsys: Capsys, tmp_path: Path
 ) -> None:
     microphone.give(SPEECH)
     listening.record(tmp_path / "a.wav", PRESET, InputChoice(), 1.0, with_phonemes=True, open_listener=listener)

@@ -106,10 +106,7 @@ SHOW = ["performance", "show", "ann.sqlite", "mami", "-o", "out"]
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        (
-            ["performance", "show", "ann.sqlite", "momi", "-o", "out"],
-            "Ann: there is no recording 'momi' in this",
-        ),
+        (["performance", "show", "ann.sqlite", "momi", "-o", "out"], "Ann: there is no recording 'momi' in this"),
         (["performance", "show", "mami.wav", "mami", "-o", "out"], "mami.wav: this is no table of performances"),
         ([*SHOW, "--from", "0.5", "--to", "0.4"], "mami: --from and --to must lie in 0..1.000 s, the second behind"),
         ([*SHOW, "--to", "1.1"], "mami: --from and --to must lie in 0..1.000 s"),
@@ -134,11 +131,7 @@ def test_a_recording_that_cannot_be_shown_is_refused_in_a_sentence(
     ],
 )
 def test_what_cannot_be_done_is_said_in_a_sentence(
-    words: list[str],
-    sentence: str,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: Capsys,
+    words: list[str], sentence: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capsys
 ) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "file").touch()

@@ -154,10 +154,7 @@ def test_the_words_that_the_window_saved_beside_a_sound_go_before_a_text(tmp_pat
         (["--text", TEXT], "the language of a text is not guessed; name it with --language"),
         (["--text", TEXT, "--language", "klingon"], "no voice speaks the language 'klingon'"),
         (["--text", "", "--language", "de"], "there is no word to speak in an empty text"),
-        (
-            ["--script", "nowhere.txt", "--language", "de"],
-            "nowhere.txt: there is no such file; check its name",
-        ),
+        (["--script", "nowhere.txt", "--language", "de"], "nowhere.txt: there is no such file; check its name"),
     ],
 )
 def test_what_cannot_be_said_is_refused_in_a_sentence(words: list[str], sentence: str, capsys: Capsys) -> None:

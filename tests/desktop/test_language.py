@@ -366,12 +366,7 @@ def test_every_error_is_told_in_german_whatever_stands_in_its_places(spoken: Cal
 
 BAD_FILES: tuple[tuple[Callable[[Path], object], str, bytes, str], ...] = (
     (SoundReader, "empty.wav", b"", "empty.wav: Die Datei ist leer"),
-    (
-        SoundReader,
-        "film.m4a",
-        b"\0\0\0\x18ftypM4A text",
-        "film.m4a: Keine lesbare Audiodatei (lässt sich nicht",
-    ),
+    (SoundReader, "film.m4a", b"\0\0\0\x18ftypM4A text", "film.m4a: Keine lesbare Audiodatei (lässt sich nicht"),
     (load_preset, "own.toml", b"x", "own.toml: Keine TOML-Datei ('=' nach dem Schlüssel erwartet am Ende der Datei)"),
     (load_preset, "old.toml", b"format = 'x'", "old.toml: Erwartet wird ein Preset, beginnend mit format"),
     (load_preset, "old.txt", b"1 2 3", "old.txt: Eine PhonemeData-Datei enthält 21 Zahlen, gefunden 3; nach Zeile 1"),
@@ -393,12 +388,7 @@ BAD_FILES: tuple[tuple[Callable[[Path], object], str, bytes, str], ...] = (
         "table.csv: Die Spalte start_s fehlt; mit den Spalten start_s, end_s, phone",
     ),
     (load_lexicon, "own.csv", b"word,ipa\nhello,QQ\n", "own.csv, Zeile 2: 'hello' ist nicht in IPA geschrieben"),
-    (
-        load_averaged_spectrum,
-        "own.curve",
-        b"text",
-        "own.curve: Eine Kurve beginnt mit der Zeile '# phonemeanalyser",
-    ),
+    (load_averaged_spectrum, "own.curve", b"text", "own.curve: Eine Kurve beginnt mit der Zeile '# phonemeanalyser"),
     (load_table, "mouth.toml", b"format = 'x'", "mouth.toml: Erwartet wird eine Mundtabelle, beginnend mit format"),
     (PerformanceTable.open, "face.faces", b"text", "face.faces: Keine Tabelle von Gesichtsaufnahmen oder beschädigt"),
     (load_expressions, "smiles.toml", b"format = 'x'", "smiles.toml: Erwartet wird eine Datei mit Ausdrücken"),

@@ -156,10 +156,7 @@ def quiet(tmp_path_factory: pytest.TempPathFactory) -> Heard:
 def others(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Heard]:
     """Other cards, both at the same time."""
     folder = tmp_path_factory.mktemp("live")
-    arguments: dict[str, tuple] = {
-        "48 kHz": (CARDS, 48_000, 48_000),
-        "resampled": (CARDS, 48_000, 0),
-    }
+    arguments: dict[str, tuple] = {"48 kHz": (CARDS, 48_000, 48_000), "resampled": (CARDS, 48_000, 0)}
     with ThreadPoolExecutor() as threads:
         heard = {name: threads.submit(hear, folder / name, *given) for name, given in arguments.items()}
     return {name: future.result() for name, future in heard.items()}

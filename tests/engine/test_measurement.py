@@ -8,12 +8,7 @@ import pytest
 import soundfile
 
 from phonemeengine import AudioError, EngineError, Phoneme, SoundReader, load_preset, measure
-from phonemeengine.inspection.measurement import (
-    format_measurement,
-    frames_between,
-    measure_stretch,
-    save_stretch,
-)
+from phonemeengine.inspection.measurement import format_measurement, frames_between, measure_stretch, save_stretch
 from phonemeengine.inspection.speaker_spectra import average_spectrum
 from phonemeengine.inspection.whole_sound import tracks_of
 from phonemeengine.settings import SAMPLE_RATE

@@ -78,19 +78,10 @@ def test_lists_and_tables_are_given() -> None:
             lambda t: t.table("inner").table("deep").value("x", str),
             r"\[inner.deep\] x must be text, found 1; correct it",
         ),
-        (
-            lambda t: t.table("inner").phonemes(),
-            r"\[inner\]: there is no phoneme 'deep'; choose one of .*",
-        ),
-        (
-            lambda t: t.table("inner").check_keys(("x",)),
-            r"\[inner\] cannot have an entry 'deep'; remove it, .* x",
-        ),
+        (lambda t: t.table("inner").phonemes(), r"\[inner\]: there is no phoneme 'deep'; choose one of .*"),
+        (lambda t: t.table("inner").check_keys(("x",)), r"\[inner\] cannot have an entry 'deep'; remove it, .* x"),
         (lambda t: t.table("none").check_keys(("x",)), r"\[none\] lacks x; add it"),
-        (
-            lambda t: t.read({"name": str}),
-            "a file of colours cannot have an entry 'on'; remove .* name",
-        ),
+        (lambda t: t.read({"name": str}), "a file of colours cannot have an entry 'on'; remove .* name"),
     ],
 )
 def test_what_does_not_fit_is_refused_with_what_came_and_what_to_do(ask, sentence: str) -> None:

@@ -266,10 +266,7 @@ def test_the_same_head_looks_the_same_in_every_picture(head: MorphMesh, offscree
     assert not np.array_equal(first, other)
 
 
-@pytest.mark.parametrize(
-    ("pose", "axis", "sign"),
-    [(HeadPose(yaw=15), 1, 1), (HeadPose(pitch=-12), 0, 1)],
-)
+@pytest.mark.parametrize(("pose", "axis", "sign"), [(HeadPose(yaw=15), 1, 1), (HeadPose(pitch=-12), 0, 1)])
 def test_a_head_that_turns_takes_its_eyes_along(
     pose: HeadPose, axis: int, sign: int, head: MorphMesh, offscreen: Hire
 ):

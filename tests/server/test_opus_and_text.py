@@ -36,10 +36,7 @@ def test_opus_is_heard_as_the_file_is(server: str, opus: bytes, sizes: Sequence[
 
 @pytest.mark.parametrize(
     ("content", "words"),
-    [
-        (b"RIFF1234WAVEfmt ", "this is not Ogg Opus"),
-        (b"OggS\0\2" + bytes(20) + b"\1\4abcd", "this is not Ogg Opus"),
-    ],
+    [(b"RIFF1234WAVEfmt ", "this is not Ogg Opus"), (b"OggS\0\2" + bytes(20) + b"\1\4abcd", "this is not Ogg Opus")],
 )
 def test_what_is_not_opus_is_answered_by_a_sentence(server: str, content: bytes, words: str) -> None:
     assert words in streamed(server, OPUS, [content]).error

@@ -222,9 +222,6 @@ def by_window(asked: ConversionOptions, kind: str, job: Job, qtbot: QtBot) -> No
     assert job.target is not None
     with qtbot.waitSignal(queue.finished, timeout=60_000):
         order = replace(order, look=ClipOptions.of(asked))
-        queue.start(
-            {job.source: job.target},
-            replace(order, keys=keys, overwrite=asked.overwrite),
-        )
+        queue.start({job.source: job.target}, replace(order, keys=keys, overwrite=asked.overwrite))
     assert [done.words for done in queue.jobs] == [""]
     queue.close()

@@ -178,11 +178,7 @@ def _compared(table: PerformanceTable, choice: ExampleChoice, left_out: Sequence
     say = _saying(PerformanceDriver(table, PerformanceOptions(choice)))
     ranges = [np.ptp(say(p)[:, JAW]) / np.ptp(_recorded(p)[:, JAW]) for p in left_out]
     seconds = [_seconds(lambda p=p: say(p)) * 10 / len(p.words) for p in left_out]  # type: ignore[misc]
-    return {
-        "error": _error(left_out, say),
-        "jaw": float(np.mean(ranges)),
-        "seconds": statistics.median(seconds),
-    }
+    return {"error": _error(left_out, say), "jaw": float(np.mean(ranges)), "seconds": statistics.median(seconds)}
 
 
 def _seconds(act: Callable[[], object]) -> float:

@@ -16,15 +16,7 @@ COLLAR = 0.045
 """How high the collar is."""
 RIM = ((0.6, 1.0), (1.6, 1.0), (2.4, -0.3))
 """Rows of the collar: how far out and up, in `COLLAR`."""
-ROWS = (
-    (0.12, 0.02),
-    (0.34, 0.12),
-    (0.56, 0.25),
-    (0.76, 0.42),
-    (0.92, 0.65),
-    (1.0, 0.95),
-    (1.0, 1.75),
-)
+ROWS = ((0.12, 0.02), (0.34, 0.12), (0.56, 0.25), (0.76, 0.42), (0.92, 0.65), (1.0, 0.95), (1.0, 1.75))
 """Rows of vertices below the collar: how far from the neck to the outline, and how far down."""
 STEEPER = 0.55
 """How much further down chest and back fall than shoulders do, at the same share of the way."""

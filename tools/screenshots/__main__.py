@@ -21,17 +21,11 @@ PICTURES = {
     "window-large-dark.png": ("1920x1080", "dark", "9.4", "en"),
     "window-german-light.png": ("1280x800", "light", "6.0", "de"),
 }
-LIVE = {
-    "microphone-light.png": ("1280", "800", "light"),
-    "microphone-dark.png": ("1280", "800", "dark"),
-}
+LIVE = {"microphone-light.png": ("1280", "800", "light"), "microphone-dark.png": ("1280", "800", "dark")}
 """The window while it records the demo from a virtual microphone."""
 N_TIMES = 5
 """Of the demo at the microphone, since a busy computer takes long to show the window."""
-CALIBRATE = {
-    "calibrate-light.png": ("1280", "800", "light"),
-    "calibrate-large-dark.png": ("1920", "1080", "dark"),
-}
+CALIBRATE = {"calibrate-light.png": ("1280", "800", "light"), "calibrate-large-dark.png": ("1920", "1080", "dark")}
 """The page of the calibration."""
 TALK = {
     "talk-light.png": ("1280", "800", "light", "0.99", "en"),

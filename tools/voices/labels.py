@@ -37,11 +37,7 @@ def segments_from_ends(pairs: list[tuple[str, float]]) -> list[Segment]:
 
 
 def labels_of(
-    segments: list[Segment],
-    table: dict[str, Phone],
-    sound: np.ndarray,
-    sample_rate: int,
-    shift: float = 0.0,
+    segments: list[Segment], table: dict[str, Phone], sound: np.ndarray, sample_rate: int, shift: float = 0.0
 ) -> list[Label]:
     """Labels without gaps from 0 to the sound's end.
 
@@ -76,10 +72,7 @@ def _labels_of_segment(segment: Segment, phone: Phone, sound: np.ndarray, sample
     if phone.certainty != AFFRICATE or phone.class_name not in (SZ, SCH):
         return [Label(start, end, name, phone.class_name, phone.certainty)]
     cut = friction_start(sound, sample_rate, start, end)
-    return [
-        Label(start, cut, name + "_cl", X, AFFRICATE),
-        Label(cut, end, name + "_fr", phone.class_name, AFFRICATE),
-    ]
+    return [Label(start, cut, name + "_cl", X, AFFRICATE), Label(cut, end, name + "_fr", phone.class_name, AFFRICATE)]
 
 
 def friction_start(sound: np.ndarray, sample_rate: int, start: float, end: float) -> float:

@@ -161,12 +161,7 @@ def _spread(said: Sequence[ScriptWord], start: float, end: float) -> Iterator[Wo
 
 
 def align_word(
-    sound: str | os.PathLike[str],
-    word: ScriptWord,
-    span: Interval,
-    preset: Preset,
-    *,
-    channel: Channel = Channel.MIX,
+    sound: str | os.PathLike[str], word: ScriptWord, span: Interval, preset: Preset, *, channel: Channel = Channel.MIX
 ) -> Word:
     """Return a word where it fits a sound file best within a span of time; only that part is analysed.
 

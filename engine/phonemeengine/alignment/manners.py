@@ -86,34 +86,13 @@ class Blob:
 
 
 MANNERS: dict[Manner, tuple[Blob, ...]] = {
-    Manner.SILENCE: (
-        Blob(0.29, -59.4, -3.0, 4, -3, 21),
-        Blob(0.71, -35.1, -18.8, 184, -53, 64),
-    ),
-    Manner.STOP: (
-        Blob(0.26, -41.5, -17.8, 147, -127, 135),
-        Blob(0.74, -16.2, -19.7, 61, -28, 98),
-    ),
-    Manner.NASAL: (
-        Blob(0.05, -10.5, -20.9, 67, 6, 32),
-        Blob(0.95, -4.7, -27.4, 19, -5, 9),
-    ),
-    Manner.APPROXIMANT: (
-        Blob(0.13, -21.3, -14.5, 125, -40, 73),
-        Blob(0.87, -6.5, -23.6, 24, -4, 18),
-    ),
-    Manner.FRICATIVE: (
-        Blob(0.62, -23.2, -5.9, 36, -7, 20),
-        Blob(0.38, -14.9, -18.5, 87, -49, 57),
-    ),
-    Manner.SIBILANT: (
-        Blob(0.28, -13.0, -15.7, 80, -45, 55),
-        Blob(0.72, -11.9, -4.1, 27, -4, 14),
-    ),
-    Manner.VOWEL: (
-        Blob(0.06, -10.3, -20.1, 40, -2, 27),
-        Blob(0.94, -2.4, -21.3, 10, 1, 16),
-    ),
+    Manner.SILENCE: (Blob(0.29, -59.4, -3.0, 4, -3, 21), Blob(0.71, -35.1, -18.8, 184, -53, 64)),
+    Manner.STOP: (Blob(0.26, -41.5, -17.8, 147, -127, 135), Blob(0.74, -16.2, -19.7, 61, -28, 98)),
+    Manner.NASAL: (Blob(0.05, -10.5, -20.9, 67, 6, 32), Blob(0.95, -4.7, -27.4, 19, -5, 9)),
+    Manner.APPROXIMANT: (Blob(0.13, -21.3, -14.5, 125, -40, 73), Blob(0.87, -6.5, -23.6, 24, -4, 18)),
+    Manner.FRICATIVE: (Blob(0.62, -23.2, -5.9, 36, -7, 20), Blob(0.38, -14.9, -18.5, 87, -49, 57)),
+    Manner.SIBILANT: (Blob(0.28, -13.0, -15.7, 80, -45, 55), Blob(0.72, -11.9, -4.1, 27, -4, 14)),
+    Manner.VOWEL: (Blob(0.06, -10.3, -20.1, 40, -2, 27), Blob(0.94, -2.4, -21.3, 10, 1, 16)),
 }
 """How loud and how sharp sounds of each manner are: fitted to 13 minutes of 16 voices, aligned with their texts."""
 

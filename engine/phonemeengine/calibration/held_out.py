@@ -10,10 +10,7 @@ from phonemeengine.arrays import BoolArray, UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, frame_labels_of
 from phonemeengine.calibration.scores.evaluation import Predictions, predict
 from phonemeengine.calibration.scores.gains import PairedAnswers
-from phonemeengine.calibration.scores.scoring import (
-    Scores,
-    scores_of,
-)
+from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.calibration.takes.take import TRIMMED
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme

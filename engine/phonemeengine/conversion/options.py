@@ -306,9 +306,7 @@ class ConversionOptions:
         read_feeling,
     )
     text_feeling: float | None = _option(
-        "follow the feeling in the text, 0..1: [smile], [angry 0.6], emoji, good and bad words",
-        "V",
-        Number(0, 1),
+        "follow the feeling in the text, 0..1: [smile], [angry 0.6], emoji, good and bad words", "V", Number(0, 1)
     )
     style: str | None = _option(
         f"style of speaking: a file, one of your own, or one of {', '.join(shipped_styles())}", "S"

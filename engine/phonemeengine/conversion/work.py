@@ -63,11 +63,7 @@ def _conversions() -> dict[str, Conversion]:
     ]
     frames = [
         Conversion(
-            f"frames-{kind}",
-            f"all variables every 10 ms, {kind.upper()}",
-            form.ending,
-            form.owns,
-            has_words=False,
+            f"frames-{kind}", f"all variables every 10 ms, {kind.upper()}", form.ending, form.owns, has_words=False
         )
         for kind, form in TABLES.items()
         if form.write_frames is not None

@@ -184,21 +184,12 @@ def unit_of(name: str, mine: Iterable[Variable] = ()) -> str:
 
 
 ALL = "all"
-_WORDS = {
-    "zero_crossings": "zero crossings",
-    "volume": "volume (peak level)",
-    "f0": "pitch (f0)",
-}
+_WORDS = {"zero_crossings": "zero crossings", "volume": "volume (peak level)", "f0": "pitch (f0)"}
 _WORDS |= {score: f"probability of {phoneme.label}" for score, phoneme in zip(SCORES, Phoneme, strict=True)}
 _WORDS |= {deficit: f"deficit of {phoneme.label}" for deficit, phoneme in zip(DEFICITS, Phoneme, strict=True)}
 _OF_KIND = {Kind.SUM: "energy", Kind.MAX: "peak", Kind.MEAN: "mean"}
 _OF_ALL = {Kind.SUM: "total energy", Kind.MAX: "highest peak", Kind.MEAN: "mean amplitude"}
-_OF_SOURCE = {
-    Spectrum.NORMALISED: "",
-    Spectrum.FILTERED: ", filtered",
-    Spectrum.RAW: ", raw",
-    Spectrum.MEL: ", mel",
-}
+_OF_SOURCE = {Spectrum.NORMALISED: "", Spectrum.FILTERED: ", filtered", Spectrum.RAW: ", raw", Spectrum.MEL: ", mel"}
 
 
 def readable_name(name: str, mine: Iterable[Variable] = ()) -> str:

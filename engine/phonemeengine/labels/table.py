@@ -84,8 +84,7 @@ def raw_labels_of(text: str, file: str) -> tuple[RawLabel, ...]:
 def format_table(labels: Sequence[Label]) -> str:
     """Write labels, in order of time, in the corpus format."""
     return table_of(
-        COLUMNS,
-        ((f"{x.start:.6f}", f"{x.end:.6f}", x.phone, x.phoneme.label, x.certainty) for x in labels),
+        COLUMNS, ((f"{x.start:.6f}", f"{x.end:.6f}", x.phone, x.phoneme.label, x.certainty) for x in labels)
     )
 
 

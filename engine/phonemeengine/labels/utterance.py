@@ -257,10 +257,7 @@ def _stretched(phones: Sequence[Phone], start: float, end: float) -> list[Phone]
 def _with_phones(utterance: Utterance, phones: Sequence[Phone]) -> Utterance:
     left: Iterator[Phone] = iter(phones)
     words = tuple(
-        replace(
-            word,
-            syllables=tuple(replace(s, phones=tuple(next(left) for _ in s.phones)) for s in word.syllables),
-        )
+        replace(word, syllables=tuple(replace(s, phones=tuple(next(left) for _ in s.phones)) for s in word.syllables))
         for word in utterance.words
     )
     return replace(utterance, words=words)

@@ -391,8 +391,7 @@ def _words_of(clip: Performance, texts: Sequence[str], later: float) -> list[Wor
     for _, run in groupby(spoken, key=lambda phone: words.get(phone.word, phone.word)):
         syllables = tuple(
             Syllable(
-                tuple(Phone(x.start + later, x.end + later, x.name, ipa_phoneme(x.name)) for x in few),
-                few[0].stress,
+                tuple(Phone(x.start + later, x.end + later, x.name, ipa_phoneme(x.name)) for x in few), few[0].stress
             )
             for few in ([*phones] for _, phones in groupby(run, key=lambda phone: phone.syllable))
         )

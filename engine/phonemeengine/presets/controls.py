@@ -377,11 +377,7 @@ def _calm(preset: Preset, recogniser: Recogniser | None) -> ControlGroup:
         "now.",
         lambda _preset, moment: moment.deficit,
     )
-    change_cost = _setting_control(
-        "change_cost",
-        HINTS["change_cost"],
-        lambda _preset, _moment: None,
-    )
+    change_cost = _setting_control("change_cost", HINTS["change_cost"], lambda _preset, _moment: None)
     if preset.decoder:
         steady: tuple[Control, ...] = (change_cost,)
     else:

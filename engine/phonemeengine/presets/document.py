@@ -55,14 +55,7 @@ _TEXTS: dict[str, type] = {
     "live_encoder": str,
     "notes": str,
 }
-_VARIABLE: dict[str, type] = {
-    "name": str,
-    "low": float,
-    "high": float,
-    "kind": Kind,
-    "source": Spectrum,
-    "per": str,
-}
+_VARIABLE: dict[str, type] = {"name": str, "low": float, "high": float, "kind": Kind, "source": Spectrum, "per": str}
 _RULE: dict[str, type] = {"phoneme": Phoneme, "conditions": list, "enabled": bool}
 _PITCH_SET: dict[str, type] = {"name": str, "low": float, "high": float}
 _PHONEME_DATA: dict[str, type] = {field.name: float for field in fields(PhonemeData)}

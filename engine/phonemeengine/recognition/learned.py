@@ -12,12 +12,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import ROOM, CentredNetwork, Network, forward_together
 from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.scores import (
-    NO_SENSITIVITIES,
-    SCORES,
-    ScoredRecogniser,
-    Sensitivity,
-)
+from phonemeengine.recognition.scores import NO_SENSITIVITIES, SCORES, ScoredRecogniser, Sensitivity
 from phonemeengine.settings import FRAME_PERIOD
 
 # Which vocal tract fits a speaker: that with which the network is the surest of what it names.

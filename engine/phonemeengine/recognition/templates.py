@@ -12,11 +12,7 @@ from phonemeengine.errors import SettingsError, check_range
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.scores import (
-    NO_SENSITIVITIES,
-    ScoredRecogniser,
-    Sensitivity,
-)
+from phonemeengine.recognition.scores import NO_SENSITIVITIES, ScoredRecogniser, Sensitivity
 
 UNTEMPLATED = (Phoneme.SILENCE, Phoneme.UNIDENTIFIED)
 """What has no template."""

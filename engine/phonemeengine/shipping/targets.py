@@ -175,12 +175,7 @@ def _web_module() -> Files:
         "files": ["ear.js", "ear.d.ts", "ear-worklet.js", "ear-wasm.js", "ear-preset.js", "examples", "LICENSE"],
     }
     wasm = module()
-    return {
-        "ear.js": _with_worklet(),
-        MODULE: wasm,
-        "ear-wasm.js": _as_module(wasm),
-        "package.json": _json(package),
-    }
+    return {"ear.js": _with_worklet(), MODULE: wasm, "ear-wasm.js": _as_module(wasm), "package.json": _json(package)}
 
 
 def _as_module(content: bytes) -> bytes:
@@ -279,10 +274,7 @@ TARGETS: Mapping[str, ShipTarget] = {
         "add-on for Godot 4 (GDScript and C#), with the same two", {"godot": "", "csharp": ""}, (_godot_add_on,)
     ),
     "unreal": ShipTarget(
-        "Unreal plugin: C++, a talking face and Live Link",
-        {"unreal": ""},
-        (_unreal_plugin,),
-        "Resources/preset.ear",
+        "Unreal plugin: C++, a talking face and Live Link", {"unreal": ""}, (_unreal_plugin,), "Resources/preset.ear"
     ),
 }
 """What can be shipped for, by name."""

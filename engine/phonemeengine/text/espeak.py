@@ -119,8 +119,7 @@ def bundled() -> Installation | None:
 
 
 def installation(
-    bundled: Callable[[], Installation | None] = bundled,
-    find: Callable[[str], str | None] = ctypes.util.find_library,
+    bundled: Callable[[], Installation | None] = bundled, find: Callable[[str], str | None] = ctypes.util.find_library
 ) -> Installation:
     """Return where the library is: in the package espeakng-loader, or else in the system.
 

@@ -382,8 +382,7 @@ class LabelTiers(QObject):
     def rename(self, label: ChosenLabel, name: str) -> None:
         """Have a label say something else."""
         self._try(
-            tr("rename label"),
-            lambda: self._with(label.tier, renamed(self.tiers[label.tier], label.label, name)),
+            tr("rename label"), lambda: self._with(label.tier, renamed(self.tiers[label.tier], label.label, name))
         )
 
     def insert(self, tier: int | None, start: float, end: float, name: str) -> None:

@@ -352,9 +352,7 @@ class Microphone(QObject):
             return
         folder, suffix = self.folder, self.suffix
         self._recorder = Recorder(
-            lambda: new_recording_path(folder, suffix),
-            with_phonemes=self.with_phonemes,
-            fill_gaps=self.fill_gaps,
+            lambda: new_recording_path(folder, suffix), with_phonemes=self.with_phonemes, fill_gaps=self.fill_gaps
         )
         self._recorder.journal, self._recorder.rescue = self._journal, self._rescue
         self.listener.record(self._recorder)

@@ -316,10 +316,7 @@ class PresetModel(QObject):
         """Set one of the `controls`, if the recogniser takes the value."""
         self._kept_groups = self.control_groups
         try:
-            self.edit(
-                self.controls[name].write(self.preset, value),
-                tr("change {what}").format(what=_label_of(name)),
-            )
+            self.edit(self.controls[name].write(self.preset, value), tr("change {what}").format(what=_label_of(name)))
         except (RecogniserError, SettingsError) as error:
             self.rejected.emit(str(error))
             self.changed.emit()  # views go back from the refused number to the old one

@@ -12,12 +12,7 @@ from phonemeanalyser.desktop.session.time_view import Scope, TimeSpan
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels
-from phonemeengine.calibration.workbench.distributions import (
-    Distribution,
-    Pair,
-    distribution_in,
-    ranked_in,
-)
+from phonemeengine.calibration.workbench.distributions import Distribution, Pair, distribution_in, ranked_in
 from phonemeengine.execution import Progress
 from phonemeengine.features.measure import Features
 from phonemeengine.inspection.measurement import frames_between
@@ -156,11 +151,7 @@ class VariableStudy(QObject):
 
         def act(_progress: Progress) -> Findings:
             values = values_of(frames.features, variable, sensitivities)
-            place = {
-                Scope.WHOLE: slice(None),
-                Scope.SEEN: frames.seen,
-                Scope.SELECTION: frames.selection,
-            }[scope]
+            place = {Scope.WHOLE: slice(None), Scope.SEEN: frames.seen, Scope.SELECTION: frames.selection}[scope]
             part, codes = frames.features.part(place), frames.phonemes[place]
             ranks = _ranking(part, codes, pair) if ranking is None else ranking
             measured = frames.measured[place]
@@ -189,11 +180,9 @@ class VariableStudy(QObject):
             sound: tuple[object, ...] = (session.history.n, session.history.names)
         else:
             sound = (id(tracks), tracks.n_written if said is not None else tracks.revision, tracks.names, id(said))
-        scope = {
-            Scope.WHOLE: None,
-            Scope.SEEN: session.view.seen,
-            Scope.SELECTION: session.view.selection,
-        }[self.scope]
+        scope = {Scope.WHOLE: None, Scope.SEEN: session.view.seen, Scope.SELECTION: session.view.selection}[
+            self.scope
+        ]
         ranked = (*sound, scope)
         sensitivities = tuple(session.preset.in_force.sensitivities.items())
         seen = session.view.seen, session.view.selection, round(self._courses.live_seconds, 2)

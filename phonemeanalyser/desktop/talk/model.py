@@ -30,14 +30,7 @@ from phonemeengine.mouth.face_mapping import guess_mapping
 from phonemeengine.mouth.key_layer import NO_KEYS
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.movestate import Mode
-from phonemeengine.mouth.performer import (
-    IdleMotion,
-    MouthTrack,
-    Performer,
-    TimedFrame,
-    known_frames,
-    timed_frames,
-)
+from phonemeengine.mouth.performer import IdleMotion, MouthTrack, Performer, TimedFrame, known_frames, timed_frames
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table, shipped_tables
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.mouth.viseme_override import VisemeOverride

@@ -28,12 +28,7 @@ FIGURES: tuple[tuple[str, str, bool, str], ...] = (
         tr_noop("Share of frames with the correct one of six mouth shapes"),
     ),
     (tr_noop("Silence recall"), "silence_recall", True, tr_noop("Share of silent frames recognised as silence")),
-    (
-        tr_noop("False silence"),
-        "false_silence",
-        False,
-        tr_noop("Share of speech frames recognised as silence"),
-    ),
+    (tr_noop("False silence"), "false_silence", False, tr_noop("Share of speech frames recognised as silence")),
     (
         tr_noop("Changes/s"),
         "changes_per_s",

@@ -12,12 +12,7 @@ from phonemeanalyser.desktop.widgets.builders import named
 
 LEAST_WIDTH = 90
 """Pixels in which a name can be read while it is typed, however short the label is."""
-_KEYS = {
-    int(Qt.Key.Key_Return): 0,
-    int(Qt.Key.Key_Enter): 0,
-    int(Qt.Key.Key_Tab): 1,
-    int(Qt.Key.Key_Backtab): -1,
-}
+_KEYS = {int(Qt.Key.Key_Return): 0, int(Qt.Key.Key_Enter): 0, int(Qt.Key.Key_Tab): 1, int(Qt.Key.Key_Backtab): -1}
 """Keys that end the typing, and the number of labels from it to the one that is named next; 0 for none."""
 
 

@@ -9,14 +9,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QImage, QPainter
 
 from phonemeanalyser.desktop.engine_words import sound_name
-from phonemeanalyser.desktop.painting import (
-    AT_LEFT,
-    AT_RIGHT,
-    CENTRED,
-    draw_text,
-    format_clock,
-    letters_on,
-)
+from phonemeanalyser.desktop.painting import AT_LEFT, AT_RIGHT, CENTRED, draw_text, format_clock, letters_on
 from phonemeanalyser.desktop.theme import Theme
 from phonemeengine.arrays import Float64Array, IndexArray, UInt8Array, UInt32Array
 from phonemeengine.dsp.waveform_peaks import Peaks

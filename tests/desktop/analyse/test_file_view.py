@@ -90,11 +90,7 @@ def test_wheel_arrows_and_buttons_scroll_and_zoom_and_the_page_turns_with_what_i
     assert time.selection is None
     time.show(TimeSpan(1.0, 2.0))
     view.setFocus()
-    for key, span in (
-        (Qt.Key.Key_Right, (1.5, 2.5)),
-        (Qt.Key.Key_Up, (1.6, 2.4)),
-        (Qt.Key.Key_Down, (1.5, 2.5)),
-    ):
+    for key, span in ((Qt.Key.Key_Right, (1.5, 2.5)), (Qt.Key.Key_Up, (1.6, 2.4)), (Qt.Key.Key_Down, (1.5, 2.5))):
         QTest.keyClick(view, key)
         assert time.seen == pytest.approx(span)
     press(desktop.window, Qt.Key.Key_End)

@@ -13,19 +13,7 @@ from PySide6.QtWidgets import QApplication, QGraphicsPolygonItem, QLabel
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.inspection.averaged_spectrum import load_averaged_spectrum
 from phonemeengine.settings import BIN_WIDTH, Filter
-from tests.desktop.hands import (
-    LEFT,
-    ON_BIN,
-    FileAnswers,
-    button,
-    choose,
-    click,
-    copied,
-    followed,
-    hover,
-    press,
-    wav,
-)
+from tests.desktop.hands import LEFT, ON_BIN, FileAnswers, button, choose, click, copied, followed, hover, press, wav
 from tests.sounds import noise, tone
 
 SECONDS = 1.0

@@ -124,10 +124,7 @@ def learn_by(monkeypatch: pytest.MonkeyPatch, adapt: Callable[..., object]) -> N
 
 @pytest.mark.parametrize("held_out", [True, False])
 def test_what_gains_by_losing_speech_is_refused_and_something_milder_taken(
-    takes: tuple[LabelledUtterance, ...],
-    sentence: LabelledUtterance,
-    monkeypatch: pytest.MonkeyPatch,
-    held_out: bool,
+    takes: tuple[LabelledUtterance, ...], sentence: LabelledUtterance, monkeypatch: pytest.MonkeyPatch, held_out: bool
 ):
     learn_by(monkeypatch, deaf_or_half)
     preset = load_preset(FACTORY / "templates.toml")

@@ -18,10 +18,7 @@ from tests.fakes.dask_cluster import DaskCluster
 from tests.sounds import vowel
 from tests.tables import contents, outputs_in
 
-pytestmark = [
-    pytest.mark.long,
-    pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::DeprecationWarning"),
-]
+pytestmark = [pytest.mark.long, pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::DeprecationWarning")]
 WORK = ConversionWork("phonemes-csv", load_preset("learned"))
 
 
@@ -56,11 +53,7 @@ def cluster(tmp_path: Path) -> Iterator[DaskCluster]:
 def test_workers_and_the_scheduler_die_and_all_files_are_made_once(cluster: DaskCluster, tmp_path: Path) -> None:
     jobs = jobs_of(tmp_path / "in", tmp_path / "far", 600)
     options = BatchOptions(None, tmp_path / "far", cluster.address)
-    killing = {
-        0.1: lambda: cluster.kill_worker(0),
-        0.2: lambda: cluster.kill_worker(1),
-        0.5: cluster.kill_scheduler,
-    }
+    killing = {0.1: lambda: cluster.kill_worker(0), 0.2: lambda: cluster.kill_worker(1), 0.5: cluster.kill_scheduler}
     with pytest.raises(BatchError, match="the cluster has gone"):
         run_batch(jobs, WORK, options, on_progress=after(killing))
     n_before = len(outputs_in(tmp_path / "far"))

@@ -196,13 +196,7 @@ def test_takes_come_back_without_the_list(tmp_path, lost):
 
 @pytest.mark.parametrize(
     ("field", "value"),
-    [
-        ("phoneme", "th"),
-        ("end", 99.0),
-        ("sound", "../../x/a-1.flac"),
-        ("speaker", None),
-        ("pauses", [["0.1", 0.3]]),
-    ],
+    [("phoneme", "th"), ("end", 99.0), ("sound", "../../x/a-1.flac"), ("speaker", None), ("pauses", [["0.1", 0.3]])],
 )
 def test_one_damaged_entry_does_not_cost_the_others(tmp_path, field, value):
     one, two = made(tmp_path)

@@ -4,13 +4,7 @@ import numpy as np
 import pytest
 
 from phonemeengine.dsp.mel import mel_of
-from phonemeengine.dsp.sonagram import (
-    FLOOR,
-    FrequencyAxis,
-    SonagramSettings,
-    row_frequencies,
-    sonagram_of,
-)
+from phonemeengine.dsp.sonagram import FLOOR, FrequencyAxis, SonagramSettings, row_frequencies, sonagram_of
 from phonemeengine.errors import SettingsError
 from phonemeengine.settings import SAMPLE_RATE
 from tests.sounds import noise, silence, tone

@@ -69,10 +69,7 @@ def test_the_corpus_format_is_a_tier_of_phones_and_one_of_classes(tmp_path: Path
         [("e", "ambiguous"), ("sch", "core")],
     )
     write_tiers([moved(phones, 1, end=True, seconds=0.35), renamed(classes, 1, "sz")], path)
-    assert path.read_text().splitlines()[1:] == [
-        "0.100000,0.200000,ɛ,e,ambiguous",
-        "0.200000,0.300000,ʃ,sz,core",
-    ]
+    assert path.read_text().splitlines()[1:] == ["0.100000,0.200000,ɛ,e,ambiguous", "0.200000,0.300000,ʃ,sz,core"]
 
 
 def test_a_textgrid_keeps_the_columns_of_the_corpus_format_and_gives_them_back(tmp_path: Path) -> None:
@@ -148,11 +145,7 @@ def test_gaps_lie_between_labels() -> None:
 
 @pytest.mark.parametrize(
     ("start", "end", "name", "reason"),
-    [
-        (0.2, 0.5, "x", "is labelled from"),
-        (0.7, 0.702, "x", "at least"),
-        (0.65, 0.75, "  ", "needs a name"),
-    ],
+    [(0.2, 0.5, "x", "is labelled from"), (0.7, 0.702, "x", "at least"), (0.65, 0.75, "  ", "needs a name")],
 )
 def test_what_cannot_be_inserted_is_one_sentence(start: float, end: float, name: str, reason: str) -> None:
     with pytest.raises(CorpusError, match=reason):

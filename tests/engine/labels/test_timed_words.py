@@ -26,7 +26,7 @@ SHAPES: dict[str, Any] = {
                     {"word": " Hello,", "start": 0.5, "end": 0.9, "probability": 0.9},
                     {"word": " world.", "start": 1.0, "end": 1.4, "probability": 0.8},
                 ],
-            },
+            }
         ],
     },
     "faster-whisper": [
@@ -42,10 +42,7 @@ SHAPES: dict[str, Any] = {
     "OpenAI": {
         "task": "transcribe",
         "duration": 2.0,
-        "words": [
-            {"word": "Hello,", "start": 0.5, "end": 0.9},
-            {"word": "world.", "start": 1.0, "end": 1.4},
-        ],
+        "words": [{"word": "Hello,", "start": 0.5, "end": 0.9}, {"word": "world.", "start": 1.0, "end": 1.4}],
     },
     "ElevenLabs, transcription": {
         "language_code": "en",

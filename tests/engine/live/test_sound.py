@@ -193,8 +193,7 @@ def test_seeking_goes_there_at_once_to_a_frame_and_sees_what_is_there(play: Play
 
 
 @pytest.mark.parametrize(
-    ("decibels", "gain", "says"),
-    [(-20, 0.1, -20), (float("-inf"), 0, float("-inf")), (6, 1, 0)],
+    ("decibels", "gain", "says"), [(-20, 0.1, -20), (float("-inf"), 0, float("-inf")), (6, 1, 0)]
 )
 def test_the_volume_is_in_decibels_and_changes_no_phoneme(
     play: Play, path: Path, decibels: float, gain: float, says: float

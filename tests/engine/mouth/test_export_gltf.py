@@ -167,10 +167,7 @@ REFUSALS = {
     "empty": (b"", "this is no face that can be moved"),
     "cut off": (GOOD[:-40], "its header says version 2 and .* bytes, and it has .*; export it again"),
     "of version 1": (GOOD[:4] + b"\x01" + GOOD[5:], "its header says version 1"),
-    "a chunk that lies": (
-        GOOD[:12] + b"\xff\xff\xff\x7f" + GOOD[16:],
-        "a part of it is said to have 21474836",
-    ),
+    "a chunk that lies": (GOOD[:12] + b"\xff\xff\xff\x7f" + GOOD[16:], "a part of it is said to have 21474836"),
     "no JSON": (GOOD[:20] + b"}" + GOOD[21:], "its JSON cannot be read"),
     "a list": (glb_of([], b""), "its JSON is no table"),
     "buffers outside": (document(buffers=[{"uri": "a.bin", "byteLength": 4}]), "its buffers lie outside it"),

@@ -14,15 +14,7 @@ from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh, morph_targets_of
 from phonemeengine.mouth.movestate import movestate_of
-from tests.meshes import (
-    CORNERS,
-    GLTF,
-    GLTF_TEXT,
-    TRIANGLES,
-    morph_mesh_of_cube,
-    moved_by,
-    volume,
-)
+from tests.meshes import CORNERS, GLTF, GLTF_TEXT, TRIANGLES, morph_mesh_of_cube, moved_by, volume
 
 
 def gltf(change: Callable[[dict], object]) -> bytes:

@@ -102,8 +102,7 @@ def test_smoothing_and_raising_change_their_range_alone(jaw):
 
 
 @pytest.mark.parametrize(
-    ("times", "words"),
-    [((0.5, 0.4, 0.6), "keys lie one after the other"), ((1.5, 1.9, 2.5), "within the sound")],
+    ("times", "words"), [((0.5, 0.4, 0.6), "keys lie one after the other"), ((1.5, 1.9, 2.5), "within the sound")]
 )
 def test_keys_out_of_order_or_outside_the_sound_are_refused(jaw, times, words):
     before, time, after = times

@@ -226,11 +226,7 @@ def test_old_movements_are_forgotten() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "value", "limits"),
-    [
-        ("minimum_opening", -1, "0..1"),
-        ("randomness", math.nan, "0..0.5"),
-    ],
+    ("name", "value", "limits"), [("minimum_opening", -1, "0..1"), ("randomness", math.nan, "0..0.5")]
 )
 def test_an_impossible_manner_is_refused(name: str, value: float, limits: str) -> None:
     with pytest.raises(MouthError, match=rf"{name} must lie in {limits}, got {value:g}; choose another value"):

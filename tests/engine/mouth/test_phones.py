@@ -93,10 +93,7 @@ def test_times_and_firmness_are_those_of_the_phone_and_else_of_the_phoneme() -> 
         ('f = "FF"', r"\[phones\] f has the shape 'FF', which \[shapes\] lacks; add it there"),
         ("f = 5", r"\[phones\] f has the shape 5, which \[shapes\] lacks"),
         ("f = { firm = true }", r"\[phones.f\] lacks shape; add it"),
-        (
-            'f = { shape = "U", speed = 1 }',
-            r"\[phones.f\] cannot have an entry 'speed'; did you mean shape",
-        ),
+        ('f = { shape = "U", speed = 1 }', r"\[phones.f\] cannot have an entry 'speed'; did you mean shape"),
         ('f = { shape = "U", firm = 1 }', r"\[phones.f\] firm must be true or false, found 1"),
         ('f = { shape = "U", attack = 0.1 }', r"\[phones.f\] gives attack alone; give attack and release, or none"),
         ('f = { shape = "U", attack = 0, release = 1 }', r"\[phones.f\] attack must be a number of seconds in 0.005"),

@@ -74,8 +74,7 @@ def test_a_pause_within_a_sentence_is_as_one_at_its_end() -> None:
 
 
 @pytest.mark.parametrize(
-    ("phone", "like"),
-    [("n", "t"), ("b", "m"), ("o", "u"), ("e", "i"), ("ɑ", "a"), ("y", "u"), ("aɪ", "a")],
+    ("phone", "like"), [("n", "t"), ("b", "m"), ("o", "u"), ("e", "i"), ("ɑ", "a"), ("y", "u"), ("aɪ", "a")]
 )
 def test_what_nobody_said_looks_like_a_sound_of_the_same_place(phone: str, like: str) -> None:
     assert likest(phone, TABLE, UnitKind.LEFT_HALF) == like

@@ -14,14 +14,7 @@ from phonemeengine.analyser import concatenate_analyses
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.model_choice import for_live_use, frames_ahead, model_in_words
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.decoder import (
-    PER_NAT,
-    Decoder,
-    SoundDecoder,
-    SoundsDecoder,
-    Trellis,
-    bigrams_of,
-)
+from phonemeengine.recognition.decoder import PER_NAT, Decoder, SoundDecoder, SoundsDecoder, Trellis, bigrams_of
 from phonemeengine.settings import DECODINGS, Decoding
 from tests.sounds import noise, tone
 

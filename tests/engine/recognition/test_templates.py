@@ -23,11 +23,7 @@ from phonemeengine.settings import SAMPLE_RATE
 from tests.sounds import Sound, silence, vowel
 from tools.fit.templates import preset_of
 
-FORMANTS = {
-    Phoneme.A: (750.0, 1250.0, 2500.0),
-    Phoneme.I: (280.0, 2300.0, 3000.0),
-    Phoneme.U: (300.0, 700.0, 2300.0),
-}
+FORMANTS = {Phoneme.A: (750.0, 1250.0, 2500.0), Phoneme.I: (280.0, 2300.0, 3000.0), Phoneme.U: (300.0, 700.0, 2300.0)}
 ROW = (1.0,) * N_CEPSTRA
 
 

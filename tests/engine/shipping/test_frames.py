@@ -42,10 +42,7 @@ def test_a_viseme_that_is_certain_has_the_shape_of_its_phone() -> None:
     assert learned is not None
     rows, firm = viseme_rows(table, learned.viseme_set)
     for name, row in zip(learned.viseme_set.names, rows, strict=True):
-        assert [state for state, weight in zip(table.movestates, row, strict=True) if weight] in (
-            [],
-            [name],
-        )
+        assert [state for state, weight in zip(table.movestates, row, strict=True) if weight] in ([], [name])
     assert firm[[0, 1]].all()
     assert not firm[10]
 

@@ -9,13 +9,7 @@ from .curves_operator import ImportCurves
 from .mouth_tables import cached_table, sounds_of
 from .movestate_operators import ExportMovestates, ImportMovestates
 from .sound_operator import SpeakSound
-from .table_operators import (
-    AddMovement,
-    LoadTable,
-    NewTable,
-    RemoveMovement,
-    SaveTable,
-)
+from .table_operators import AddMovement, LoadTable, NewTable, RemoveMovement, SaveTable
 
 MOVESTATES = "Movestates (.3dm, .3dma)"
 CURVES = "Lip Sync Curves (.json, .csv)"

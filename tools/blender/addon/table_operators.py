@@ -106,10 +106,4 @@ def _n_moving(shapes: dict[str, list[tuple[str, float]]]) -> int:
     return sum(1 for movements in shapes.values() if movements)
 
 
-CLASSES = (
-    NewTable,
-    LoadTable,
-    SaveTable,
-    AddMovement,
-    RemoveMovement,
-)
+CLASSES = (NewTable, LoadTable, SaveTable, AddMovement, RemoveMovement)

@@ -12,12 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array, IndexArray, Int64Array, UInt8Array
-from phonemeengine.calibration.scores.scoring import (
-    N_CODES,
-    SCORED_PHONEMES,
-    confusion_of,
-    macro_f1_of,
-)
+from phonemeengine.calibration.scores.scoring import N_CODES, SCORED_PHONEMES, confusion_of, macro_f1_of
 from phonemeengine.calibration.workbench.batch_smoother import last_identified
 from phonemeengine.calibration.workbench.retuner import RuleCache
 from phonemeengine.execution import Progress, no_progress, report_progress

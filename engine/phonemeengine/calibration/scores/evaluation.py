@@ -14,14 +14,7 @@ from phonemeengine.analyser import BLOCK, Analyser, Analysis, analyse_blocks
 from phonemeengine.arrays import BoolArray, Float32Array, Int64Array, UInt8Array
 from phonemeengine.calibration.scores.added_noise import NoiseAdder
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, OnSkipped, frame_labels_of
-from phonemeengine.calibration.scores.scoring import (
-    N_CODES,
-    Answers,
-    Scores,
-    confusion_of,
-    macro_f1_of,
-    scores_of,
-)
+from phonemeengine.calibration.scores.scoring import N_CODES, Answers, Scores, confusion_of, macro_f1_of, scores_of
 from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.labels.visemes import NO_VISEME, STANDARD_VISEMES, Viseme, viseme_of

@@ -25,14 +25,7 @@ from phonemeengine.mouth.files.gltf_document import (
 from phonemeengine.mouth.files.gltf_materials import materials_of, srgb_of
 from phonemeengine.mouth.files.skin import Skeleton
 from phonemeengine.mouth.files.vrm import expressions_of, faces_back, is_vrm
-from phonemeengine.mouth.mesh import (
-    MOST_MATERIALS,
-    MOST_TRIANGLES,
-    MOST_VERTICES,
-    Material,
-    mesh_of,
-    summed_at,
-)
+from phonemeengine.mouth.mesh import MOST_MATERIALS, MOST_TRIANGLES, MOST_VERTICES, Material, mesh_of, summed_at
 from phonemeengine.mouth.morph_mesh import MOST_STATES, MorphMesh
 from phonemeengine.mouth.movestate import LEAST_MOVE, Movestate, movestate_at
 

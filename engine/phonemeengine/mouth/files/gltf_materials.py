@@ -12,14 +12,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.files.gltf_document import (
-    Document,
-    Table,
-    numbers_of,
-    table_of,
-    text_of,
-    whole_of,
-)
+from phonemeengine.mouth.files.gltf_document import Document, Table, numbers_of, table_of, text_of, whole_of
 from phonemeengine.mouth.files.vrm import material_properties
 from phonemeengine.mouth.mesh import MOST_MATERIALS, AlphaMode, Material, Texture, ToonShading
 

@@ -98,14 +98,7 @@ def _line(values: Iterable[str]) -> str:
 USUAL_RATE = 4.0
 SLOWEST, FASTEST = 0.5, 10.0
 """Syllables per second."""
-LENGTHS = {
-    "vowel": 0.37,
-    "plosive": 0.32,
-    "nasal": 0.3,
-    "lateral": 0.3,
-    "rhotic": 0.3,
-    "fricative": 0.39,
-}
+LENGTHS = {"vowel": 0.37, "plosive": 0.32, "nasal": 0.3, "lateral": 0.3, "rhotic": 0.3, "fricative": 0.39}
 """How long sounds last, in syllables: means over the labels of the tests' corpus, at 4.0 syllables a second."""
 OTHER_LENGTH = 0.27
 

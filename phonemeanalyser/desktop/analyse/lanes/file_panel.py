@@ -10,13 +10,7 @@ from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.courses import Courses
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import (
-    Wrapping,
-    column,
-    row,
-    toggle_button,
-    tool_button,
-)
+from phonemeanalyser.desktop.widgets.builders import Wrapping, column, row, toggle_button, tool_button
 from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 from phonemeengine.inspection.whole_sound import FrameRange
 from phonemeengine.settings import FRAME_PERIOD

@@ -12,14 +12,7 @@ from phonemeanalyser.desktop.program_folder import in_program
 from phonemeanalyser.desktop.session.label_tiers import ChosenLabel, LabelTiers
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import TimeSpan
-from phonemeanalyser.desktop.widgets.builders import (
-    CANCEL,
-    choice,
-    column,
-    dialog_buttons,
-    label,
-    named,
-)
+from phonemeanalyser.desktop.widgets.builders import CANCEL, choice, column, dialog_buttons, label, named
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, ask_to_save
 
 LABEL_FILTER = tr_noop("Labels (*.TextGrid *.txt *.csv)")

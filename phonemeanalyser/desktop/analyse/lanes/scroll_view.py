@@ -29,14 +29,7 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sonagram_tiles import Tile
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
-from phonemeanalyser.desktop.widgets.builders import (
-    Wrapping,
-    column,
-    label,
-    row,
-    silent,
-    tool_button,
-)
+from phonemeanalyser.desktop.widgets.builders import Wrapping, column, label, row, silent, tool_button
 from phonemeanalyser.desktop.widgets.lanes import TimeAxis, lane_of_frames, names_in_lanes, paint_lane
 from phonemeanalyser.desktop.widgets.plot import (
     READOUTS_PER_SECOND,

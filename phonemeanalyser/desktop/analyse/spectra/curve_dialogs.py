@@ -17,12 +17,7 @@ from phonemeanalyser.desktop.tasks import TaskQueue, tried
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, is_labelled, read_recordings
 from phonemeengine.errors import AudioError, CurveError, EngineError
-from phonemeengine.inspection.averaged_spectrum import (
-    AveragedSpectrum,
-    SoundPart,
-    format_distances,
-    format_spectra,
-)
+from phonemeengine.inspection.averaged_spectrum import AveragedSpectrum, SoundPart, format_distances, format_spectra
 from phonemeengine.inspection.speaker_spectra import Groups, groups_in, whole_file
 from phonemeengine.storage.files import portable_name, write_file
 

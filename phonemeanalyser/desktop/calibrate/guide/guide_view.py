@@ -146,9 +146,7 @@ class GuideView(QWidget):
     def _make_controls(self) -> None:
         guide = self._calibration.guide
         self.language = choice(
-            ((tr(name), name) for name in LANGUAGES),
-            tr("Sentence language"),
-            tr("Language of the sentences to read"),
+            ((tr(name), name) for name in LANGUAGES), tr("Sentence language"), tr("Language of the sentences to read")
         )
         self.sounds = spoken_button(
             tr("Single Sounds"),

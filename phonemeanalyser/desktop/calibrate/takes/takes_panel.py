@@ -170,9 +170,7 @@ class TakesPanel(QWidget):
         self.add = spoken_button(tr("Load"), tr("Load labelled recordings: TextGrid, Audacity labels or CSV"))
         self.clear = spoken_button("✕", tr("Unload all labelled recordings; their files are kept"))
         self.speaker = named(
-            QLineEdit(calibration.takes.speaker),
-            tr("Speaker"),
-            tr("Speaker of the takes recorded from now on"),
+            QLineEdit(calibration.takes.speaker), tr("Speaker"), tr("Speaker of the takes recorded from now on")
         )
         self.guide = spoken_button(
             tr("Guided Calibration…"), tr("Calibrate to your voice step by step, in under a minute (G)")

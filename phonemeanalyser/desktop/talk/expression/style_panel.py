@@ -47,11 +47,7 @@ TABLES = {
     "reductions": tr_noop("Reduction of expressions by speech"),
 }
 """The tables of a style, by their names in its file."""
-SHIPPED = {
-    "neutral": tr_noop("Neutral"),
-    "mumbling": tr_noop("Mumbling"),
-    "theatrical": tr_noop("Theatrical"),
-}
+SHIPPED = {"neutral": tr_noop("Neutral"), "mumbling": tr_noop("Mumbling"), "theatrical": tr_noop("Theatrical")}
 HEAD_TIPS = {
     tr_noop("Priority"): tr_noop("Where poses overlap, the one with the higher priority comes first"),
     tr_noop("Width"): tr_noop("Factor of the time for which the pose holds, comes and goes"),

@@ -18,15 +18,7 @@ from phonemeanalyser.desktop.talk.drivers.movement import movement_of, recording
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.animation import Animation
-from phonemeengine.mouth.key_layer import (
-    NO_KEYS,
-    KeyCurve,
-    KeyLayer,
-    ShownCurve,
-    keys_beside,
-    read_keys,
-    write_keys,
-)
+from phonemeengine.mouth.key_layer import NO_KEYS, KeyCurve, KeyLayer, ShownCurve, keys_beside, read_keys, write_keys
 
 USUAL_SHAPES = ("jawOpen", "mouthPucker", "mouthSmileLeft")
 """Blend shapes whose curves are seen at first."""

@@ -127,15 +127,9 @@ class ChoicesPanel(QWidget):
         )
         self.heads = {head: tool_button(tr(name), tr(HEAD_TIPS[head])) for head, name in HEADS.items()}
         self.map = tool_button(tr("Map Shapes…"), tr("Map the blend shapes of this face to those of the mouth table"))
-        self.table = choice(
-            (),
-            tr("Mouth table"),
-            tr(TABLE_TIP),
-        )
+        self.table = choice((), tr("Mouth table"), tr(TABLE_TIP))
         self.detail = choice(
-            ((tr(words), detail) for detail, words in DETAILS.items()),
-            tr("Level of detail"),
-            tr(DETAIL_TIP),
+            ((tr(words), detail) for detail, words in DETAILS.items()), tr("Level of detail"), tr(DETAIL_TIP)
         )
         self.attack = _time_factor(
             tr("Attack time"),
@@ -161,10 +155,7 @@ class ChoicesPanel(QWidget):
             (tr("Face"), (self.face, *self.heads.values(), self.own)),
             ("", (self.map,)),
             (tr("Mouth table"), (self.table, label(tr("Detail")), self.detail)),
-            (
-                tr("Speed"),
-                (label(tr("Attack time")), self.attack, label(tr("Release time")), self.release),
-            ),
+            (tr("Speed"), (label(tr("Attack time")), self.attack, label(tr("Release time")), self.release)),
             ("", (self.times,)),
             (tr("Idle motion"), (self.blinks, self.motion, self.random)),
         )

@@ -103,11 +103,7 @@ class SpeechTimeline(QWidget):
         self.menu = PlotMenu(self, "what is said", lambda _at: table_of(self._columns()))
         edits = self._texts.edits
         self._word_acts = self.menu.put_first(
-            {
-                tr("Rename"): edits.ask_rename,
-                tr("Delete"): edits.delete,
-                tr("Realign This Word"): edits.realign,
-            }
+            {tr("Rename"): edits.ask_rename, tr("Delete"): edits.delete, tr("Realign This Word"): edits.realign}
         )
         self.menu.aboutToShow.connect(self._choose_for_menu)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
