@@ -9,8 +9,7 @@ from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QAction, QActionGroup, QGuiApplication
 from PySide6.QtWidgets import QMenu, QWidget
 
-from phonemeanalyser.desktop.analyse.lanes.label_dialogs import LabelDialogs
-from phonemeanalyser.desktop.analyse.lanes.selection_dialogs import SelectionDialogs
+from phonemeanalyser.desktop.analyse.lanes.label_dialogs import LabelDialogs, SelectionDialogs
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.analyse.score.score_strip import ScoreStrip
 from phonemeanalyser.desktop.analyse.transport.transport import SPEEDS, next_speed
@@ -25,7 +24,7 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.settings import read
 from phonemeanalyser.desktop.talk.dialogs import TalkDialogs
-from phonemeanalyser.desktop.talk.drivers.comparison_menu import ComparisonMenu
+from phonemeanalyser.desktop.talk.drivers.comparison import ComparisonMenu
 from phonemeanalyser.desktop.talk.head.head_view import LIGHT_STEP, HeadView
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.pictures import PICTURE_RATES

@@ -21,8 +21,8 @@ from phonemeanalyser.desktop.talk.mouth_table.choices_panel import (
     TABLE_TIP,
 )
 from phonemeanalyser.desktop.widgets.builders import choice, named
+from phonemeanalyser.desktop.widgets.fields import NumberField
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
-from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeanalyser.desktop.widgets.preset_picker import PresetChoice, Sections
 from phonemeanalyser.rendering.clip_options import USUAL_CLIP, ClipOptions
 from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice

@@ -10,8 +10,7 @@ from PySide6.QtCore import QObject, QSettings, QTimer, QUrl, Signal
 from PySide6.QtGui import QDesktopServices, QTextCursor
 from PySide6.QtWidgets import QInputDialog, QMessageBox, QPlainTextEdit, QWidget
 
-from phonemeanalyser.desktop.analyse.recognition.preset_box import PresetBox
-from phonemeanalyser.desktop.analyse.recognition.recogniser_choice import EncoderDialog
+from phonemeanalyser.desktop.analyse.recognition.preset_choice import EncoderDialog, PresetBox
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import A, B, PresetDocument, PresetModel

@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.rules import Draft, RuleModel, RuleTrial
 from phonemeanalyser.desktop.widgets.builders import CANCEL, choice, dialog_buttons, label, row, silent
-from phonemeanalyser.desktop.widgets.number_field import NumberField
+from phonemeanalyser.desktop.widgets.fields import NumberField
 from phonemeengine.arrays import LARGEST_FLOAT32
 from phonemeengine.calibration.scores.scoring import Agreement
 from phonemeengine.features.variables import readable_name

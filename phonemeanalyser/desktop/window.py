@@ -10,12 +10,10 @@ from PySide6.QtWidgets import QDockWidget, QMainWindow, QToolBar, QWidget
 from typing_extensions import override
 
 from phonemeanalyser.desktop import calibrate, commands
-from phonemeanalyser.desktop.analyse.lanes.label_dialogs import LabelDialogs
-from phonemeanalyser.desktop.analyse.lanes.selection_dialogs import SelectionDialogs
+from phonemeanalyser.desktop.analyse.lanes.label_dialogs import LabelDialogs, SelectionDialogs
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.analyse.recognition.filter_column import FilterColumn
-from phonemeanalyser.desktop.analyse.recognition.preset_box import PresetBox
-from phonemeanalyser.desktop.analyse.recognition.recogniser_choice import RecogniserChoice
+from phonemeanalyser.desktop.analyse.recognition.preset_choice import PresetBox, RecogniserChoice
 from phonemeanalyser.desktop.analyse.spectra.curve_panel import CurvePanel
 from phonemeanalyser.desktop.analyse.status_line import StatusLine
 from phonemeanalyser.desktop.analyse.transport.transport import Transport

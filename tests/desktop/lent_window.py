@@ -28,7 +28,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from phonemeanalyser.desktop.analyse.spectra.waveform_view import SOFTEST
+from phonemeanalyser.desktop.analyse.spectra.frame_views import SOFTEST
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.calibrate.model import TAKES_FOLDER
 from phonemeanalyser.desktop.language import tr, use_language

@@ -13,10 +13,10 @@ from PySide6.QtWidgets import QApplication, QDialogButtonBox, QDoubleSpinBox, QS
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.analyse.lanes.label_dialogs import TiersDialog
-from phonemeanalyser.desktop.analyse.recognition.recogniser_choice import EncoderDialog
+from phonemeanalyser.desktop.analyse.recognition.preset_choice import EncoderDialog
 from phonemeanalyser.desktop.analyse.recognition.variable_dialog import VariableDialog
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.calibrate.dialogs import MappingDialog
+from phonemeanalyser.desktop.calibrate.page import MappingDialog
 from phonemeanalyser.desktop.engine_errors import ERRORS
 from phonemeanalyser.desktop.engine_words import SENTENCES, SPOKEN, sound_name, tr_engine, tr_sentence
 from phonemeanalyser.desktop.language import LANGUAGES as LANGUAGES_OF_WINDOW

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QMessageBox, QPushButton
 
 from phonemeanalyser.desktop.analyse.lanes.label_dialogs import TiersDialog
-from phonemeanalyser.desktop.calibrate.dialogs import MappingDialog
+from phonemeanalyser.desktop.calibrate.page import MappingDialog
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.widgets.file_asker import ask_to_save
 from phonemeengine.features.variables import Variable

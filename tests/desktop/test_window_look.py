@@ -12,7 +12,7 @@ from PySide6.QtGui import QAction, QImage
 from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QDockWidget, QLabel, QMenu, QWidget
 
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.calibrate.dialogs import MappingDialog
+from phonemeanalyser.desktop.calibrate.page import MappingDialog
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.preset_dialogs import IN_USE, NOT_IN_USE
 from phonemeanalyser.desktop.session.preset import PresetDocument

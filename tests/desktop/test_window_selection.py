@@ -5,7 +5,7 @@ import soundfile
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 
-from phonemeanalyser.desktop.analyse.lanes.selection_dialogs import MeasurementDialog
+from phonemeanalyser.desktop.analyse.lanes.label_dialogs import MeasurementDialog
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from tests.desktop.hands import FileAnswers, shown
 

@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QSplitter, QStackedWidget, QWidget
 
-from phonemeanalyser.desktop.analyse.lanes.file_panel import FilePanel
+from phonemeanalyser.desktop.analyse.lanes.file_view import FilePanel
 from phonemeanalyser.desktop.analyse.lanes.scroll_view import ScrollView
 from phonemeanalyser.desktop.analyse.lanes.sonagram_choices import SonagramChoices
 from phonemeanalyser.desktop.analyse.recognition.phoneme_view import PhonemeView
@@ -13,8 +13,7 @@ from phonemeanalyser.desktop.analyse.recognition.threshold_view import Threshold
 from phonemeanalyser.desktop.analyse.recognition.variable_panel import VariablePanel
 from phonemeanalyser.desktop.analyse.score.score_strip import ScoreStrip
 from phonemeanalyser.desktop.analyse.spectra.averaged_view import AveragedView
-from phonemeanalyser.desktop.analyse.spectra.spectrum_view import SpectrumView
-from phonemeanalyser.desktop.analyse.spectra.waveform_view import WaveformView
+from phonemeanalyser.desktop.analyse.spectra.frame_views import SpectrumView, WaveformView
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.courses import Courses
 from phonemeanalyser.desktop.session.preset import PresetModel

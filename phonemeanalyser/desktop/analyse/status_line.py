@@ -10,8 +10,7 @@ from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import named, row, tool_button
-from phonemeanalyser.desktop.widgets.labels import ElidedLabel
+from phonemeanalyser.desktop.widgets.builders import ElidedLabel, named, row, tool_button
 from phonemeengine.live.listener import Latency
 from phonemeengine.presets.model_choice import model_in_words
 

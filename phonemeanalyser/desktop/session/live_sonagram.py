@@ -7,8 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from phonemeanalyser.desktop.session.formant_track import MOST_SECONDS, KnownFormants
 from phonemeanalyser.desktop.session.history import CAPACITY, History
+from phonemeanalyser.desktop.session.seen_tracks import MOST_SECONDS, KnownFormants
 from phonemeanalyser.desktop.session.sonagram_tiles import Key, SonagramTiles, Tile, keys_for, levels_of
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.arrays import Float32Array, IndexArray

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from phonemeanalyser.desktop.session.averages import RunningAverage
+from phonemeanalyser.desktop.session.curves import RunningAverage
 from phonemeanalyser.desktop.session.history import History
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue

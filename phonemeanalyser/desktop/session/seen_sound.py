@@ -5,12 +5,10 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from phonemeanalyser.desktop.session.feeling_track import FeelingTrack
-from phonemeanalyser.desktop.session.formant_track import FormantTrack
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.seen_tracks import FeelingTrack, FormantTrack, WaveformTrack
 from phonemeanalyser.desktop.session.sonagram_tiles import SonagramTiles
 from phonemeanalyser.desktop.session.time_view import TimeView
-from phonemeanalyser.desktop.session.waveform_track import WaveformTrack
 from phonemeanalyser.desktop.session.whole_file import SecondPreset, WholeFile
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.inspection.whole_sound import FrameRange

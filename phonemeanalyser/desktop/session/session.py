@@ -7,7 +7,6 @@ from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.curves import CurveTable
-from phonemeanalyser.desktop.session.feeling_track import LiveFeelings
 from phonemeanalyser.desktop.session.label_tiers import LabelTiers
 from phonemeanalyser.desktop.session.live_sonagram import LiveSonagram
 from phonemeanalyser.desktop.session.microphone import Microphone
@@ -18,6 +17,7 @@ from phonemeanalyser.desktop.session.results import AnalysisResults
 from phonemeanalyser.desktop.session.rules import RuleModel
 from phonemeanalyser.desktop.session.score import ScoreModel
 from phonemeanalyser.desktop.session.seen_sound import SeenSound
+from phonemeanalyser.desktop.session.seen_tracks import LiveFeelings
 from phonemeanalyser.desktop.session.serving import ServerModel
 from phonemeanalyser.desktop.session.sources import FileSource, Source, SourceKind, source_of
 from phonemeanalyser.desktop.session.time_view import TimeSpan

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import Qt, QTimer, Signal
 from typing_extensions import override
 
-from phonemeanalyser.desktop.session.seen_track import SeenTrack
+from phonemeanalyser.desktop.session.seen_tracks import SeenTrack
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.sonagram import LEVELS, SonagramSettings, sonagram_of

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.settings import Kept, keep, read, read_paths
-from phonemeanalyser.desktop.talk.drivers.comparison_menu import COMPARISONS
+from phonemeanalyser.desktop.talk.drivers.comparison import COMPARISONS
 from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET
 from phonemeanalyser.desktop.talk.head.head_view import HeadView
 from phonemeanalyser.desktop.talk.head.mapping_dialog import FaceMappingDialog

@@ -8,12 +8,10 @@ from typing_extensions import override
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import format_clock
-from phonemeanalyser.desktop.talk.drivers.comparison_menu import ComparisonMenu
-from phonemeanalyser.desktop.talk.drivers.difference_bar import DifferenceBar
+from phonemeanalyser.desktop.talk.drivers.comparison import ComparisonMenu, DifferenceBar
 from phonemeanalyser.desktop.talk.expression.expression_panel import ExpressionPanel, OscPanel
 from phonemeanalyser.desktop.talk.expression.style_panel import StylePanel
-from phonemeanalyser.desktop.talk.head.head_pair import HeadPair
-from phonemeanalyser.desktop.talk.head.head_view import HINT, HeadView
+from phonemeanalyser.desktop.talk.head.head_view import HINT, HeadPair, HeadView
 from phonemeanalyser.desktop.talk.head.movestate_bars import MovestateBars
 from phonemeanalyser.desktop.talk.keys.key_panel import KeyPanel
 from phonemeanalyser.desktop.talk.model import TalkModel

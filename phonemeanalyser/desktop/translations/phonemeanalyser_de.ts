@@ -104,7 +104,7 @@
             <translation>1 Audiodatei wurde übersprungen: {refusal}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>1 curve of {seconds:.1f} s of sound</source>
             <translation>1 Kurve aus {seconds:.1f} s Ton</translation>
         </message>
@@ -149,12 +149,12 @@
             <translation>95-%-Intervall des Zufalls: {low:+.1f} bis {high:+.1f}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
             <source>&lt;b&gt;File&lt;/b&gt;</source>
             <translation>&lt;b&gt;Datei&lt;/b&gt;</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
             <source>&lt;b&gt;History&lt;/b&gt;</source>
             <translation>&lt;b&gt;Verlauf&lt;/b&gt;</translation>
         </message>
@@ -209,7 +209,7 @@
             <translation>&lt;b&gt;{truth}&lt;/b&gt; erkannt als &lt;b&gt;{answer}&lt;/b&gt; · Segmente: {n} ({seconds:.2f} s)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>&lt;p&gt;Best model that files are recognised with.&lt;/p&gt;&lt;p&gt;&lt;i&gt;Real-time&lt;/i&gt;: the preset's recogniser, as for a microphone.&lt;br&gt;&lt;i&gt;Encoder&lt;/i&gt;: the real-time model with the encoder.&lt;br&gt;&lt;i&gt;Offline&lt;/i&gt;: a network with half a second of context on both sides.&lt;br&gt;&lt;i&gt;Whisper&lt;/i&gt;: the offline model and a speech encoder, where a whole file is recognised at once: saving, exporting, aligning with its text. Playback uses the offline model.&lt;/p&gt;&lt;p&gt;Models that are not available are grey and say why.&lt;/p&gt;</source>
             <translation>&lt;p&gt;Bestes Modell, mit dem Dateien erkannt werden.&lt;/p&gt;&lt;p&gt;&lt;i&gt;Echtzeit&lt;/i&gt;: der Erkenner des Presets, wie beim Mikrofon.&lt;br&gt;&lt;i&gt;Encoder&lt;/i&gt;: das Echtzeitmodell mit dem Encoder.&lt;br&gt;&lt;i&gt;Offline&lt;/i&gt;: ein Netz mit einer halben Sekunde Kontext auf beiden Seiten.&lt;br&gt;&lt;i&gt;Whisper&lt;/i&gt;: das Offline-Modell mit einem Sprach-Encoder, wo eine ganze Datei auf einmal erkannt wird: beim Speichern, Exportieren und Ausrichten an ihrem Text. Beim Abspielen gilt das Offline-Modell.&lt;/p&gt;&lt;p&gt;Nicht verfügbare Modelle sind grau und sagen, warum.&lt;/p&gt;</translation>
         </message>
@@ -224,7 +224,7 @@
             <translation>&lt;p&gt;Makro-F1 ist der Mittelwert der F1-Werte derjenigen der zehn Phoneme, die in der Beschriftung vorkommen. Mehr Wechsel pro Sekunde als in der Beschriftung sind Flackern.&lt;/p&gt;&lt;p&gt;Takes und Aufnahmen erkennt hier das Echtzeitmodell, das kalibriert wird; geöffnete Dateien werden vielleicht mit einem besseren Modell für Dateien analysiert.&lt;/p&gt;</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>&lt;p&gt;Model that recognises the microphone.&lt;/p&gt;&lt;p&gt;&lt;i&gt;Small network&lt;/i&gt;: next to no processor load, any look-ahead.&lt;br&gt;&lt;i&gt;Encoder&lt;/i&gt;: the lower layers of a speech encoder, trained on very many voices, together with the small network; look-ahead 20 or 40 ms, a few percent of a processor core.&lt;/p&gt;&lt;p&gt;Models that are not available are grey and say why.&lt;/p&gt;</source>
             <translation>&lt;p&gt;Modell, mit dem das Mikrofon erkannt wird.&lt;/p&gt;&lt;p&gt;&lt;i&gt;Kleines Netz&lt;/i&gt;: kaum Rechenlast, beliebige Vorausschau.&lt;br&gt;&lt;i&gt;Encoder&lt;/i&gt;: die unteren Schichten eines Sprach-Encoders, der mit sehr vielen Stimmen trainiert wurde, zusammen mit dem kleinen Netz; Vorausschau 20 oder 40 ms, wenige Prozent eines Prozessorkerns.&lt;/p&gt;&lt;p&gt;Nicht verfügbare Modelle sind grau und sagen, warum.&lt;/p&gt;</translation>
         </message>
@@ -884,12 +884,12 @@
             <translation>Action Units (FACS), wie OpenFace sie hat</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/feeling_lane.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/course_lanes.py" />
             <source>Activation</source>
             <translation>Aktivierung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/frame_views.py" />
             <source>Adapt the display gain to the loudness; moving the slider switches this off</source>
             <translation>Anzeigeverstärkung an die Lautstärke anpassen; Bewegen des Reglers schaltet das ab</translation>
         </message>
@@ -1114,7 +1114,7 @@
             <translation>Ausrichten eines Wortes</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>All</source>
             <translation>Alle</translation>
         </message>
@@ -1184,7 +1184,7 @@
             <translation>Amharisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/frame_views.py" />
             <source>Amplitude</source>
             <translation>Amplitude</translation>
         </message>
@@ -1359,7 +1359,7 @@
             <translation>Assamesisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/page.py" />
             <source>Assign</source>
             <translation>Zuordnen</translation>
         </message>
@@ -1434,7 +1434,7 @@
             <translation>Audiodateien mit Beschriftungsdateien…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/frame_views.py" />
             <source>Auto</source>
             <translation>Auto</translation>
         </message>
@@ -1444,7 +1444,7 @@
             <translation>Automatisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>Average by Phoneme</source>
             <translation>Nach Phonem mitteln</translation>
         </message>
@@ -1504,7 +1504,7 @@
             <translation>Hintergrundgeräusch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/room_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/model.py" />
             <source>background noise measurement</source>
             <translation>Messung des Hintergrundgeräuschs</translation>
         </message>
@@ -1534,7 +1534,7 @@
             <translation>Hintergrundgeräusch {decibels:.0f} dBFS</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/room_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/model.py" />
             <source>Background noise {decibels:.0f} dBFS, measured for {seconds:.1f} s. {accuracy}. Ctrl+Z undoes this.</source>
             <translation>Hintergrundgeräusch {decibels:.0f} dBFS, {seconds:.1f} s lang gemessen. {accuracy}. Strg+Z macht es rückgängig.</translation>
         </message>
@@ -1874,7 +1874,7 @@
             <translation>Ändern eines Gefühls</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/averages.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/curves.py" />
             <source>change of the filters</source>
             <translation>Änderung der Filter</translation>
         </message>
@@ -2004,12 +2004,12 @@
             <translation>Eigenen Ordner wählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>Choose all phonemes but silence</source>
             <translation>Alle Phoneme außer Stille wählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>Choose all speakers</source>
             <translation>Alle Sprecher wählen</translation>
         </message>
@@ -2019,7 +2019,7 @@
             <translation>anderes Preset wählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>Choose at least one speaker and one phoneme that the labels have.</source>
             <translation>Mindestens einen Sprecher und ein Phonem wählen, das in den Beschriftungen vorkommt.</translation>
         </message>
@@ -2029,7 +2029,7 @@
             <translation>Ordner wählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>Choose Folder…</source>
             <translation>Ordner wählen…</translation>
         </message>
@@ -2039,7 +2039,7 @@
             <translation>Sprache wählen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>Choose no speaker</source>
             <translation>Keinen Sprecher wählen</translation>
         </message>
@@ -2059,7 +2059,7 @@
             <translation>eins wählen aus {names} oder eine Mundform wie mouthSmile</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/page.py" />
             <source>Choose PhonemeData for a Pitch Set</source>
             <translation>PhonemeData für einen Grundfrequenz-Satz wählen</translation>
         </message>
@@ -2079,7 +2079,7 @@
             <translation>Sprecher wählen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/page.py" />
             <source>Choose Takes Folder</source>
             <translation>Takes-Ordner wählen</translation>
         </message>
@@ -2089,7 +2089,7 @@
             <translation>Blendshapes wählen, deren Kurven zu sehen sind</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>Choose the Folder with model.bin of Whisper base</source>
             <translation>Ordner mit model.bin von Whisper base wählen</translation>
         </message>
@@ -2104,7 +2104,7 @@
             <translation>Stimme, Sprechtempo und Steuerung des Mundes wählen (jetzt: {who}; {moved})</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>Choose the vowels</source>
             <translation>Die Vokale wählen</translation>
         </message>
@@ -2134,7 +2134,7 @@
             <translation>B entfernen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>Clear Folder</source>
             <translation>Ordner entfernen</translation>
         </message>
@@ -2229,7 +2229,7 @@
             <translation>Karten schließen; unter Hilfe sind sie wieder zu finden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/frame_views.py" />
             <source>Coarse</source>
             <translation>Grob</translation>
         </message>
@@ -2239,12 +2239,12 @@
             <translation>Grobe Darstellung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/frame_views.py" />
             <source>Coarse display: minimum and maximum of each eight adjacent samples</source>
             <translation>Grobe Darstellung: Minimum und Maximum von je acht benachbarten Abtastwerten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/frame_views.py" />
             <source>Coarse display: the maximum of each eight adjacent bins as one step</source>
             <translation>Grobe Darstellung: das Maximum von je acht benachbarten Frequenzstufen als eine</translation>
         </message>
@@ -2294,7 +2294,7 @@
             <translation>Vergleich</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_box.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>Compare the marked preset with the one in use (Ctrl+Return)</source>
             <translation>Das markierte Preset mit dem verwendeten vergleichen (Strg+Eingabetaste)</translation>
         </message>
@@ -2379,12 +2379,12 @@
             <translation>Konsonanten-Triphon</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/selection_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Copied {n} frames as a table; paste them into a spreadsheet.</source>
             <translation>{n} Frames als Tabelle kopiert; in eine Tabellenkalkulation einfügen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/selection_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Copy</source>
             <translation>Kopieren</translation>
         </message>
@@ -2409,7 +2409,7 @@
             <translation>Tabelle kopieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/selection_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Copy the table as tab-separated text</source>
             <translation>Tabelle als tabulatorgetrennten Text kopieren</translation>
         </message>
@@ -2464,7 +2464,7 @@
             <translation>Aktuelles Gewicht jedes Blendshapes des Gesichts in Prozent; bei zwei Seiten in einer Zeile ist der obere Balken der linke</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/frame_views.py" />
             <source>Current window of 46.4 ms, after the time-domain filters; full scale is ±1</source>
             <translation>Aktuelles Fenster von 46.4 ms, nach den Filtern im Zeitbereich; Vollaussteuerung ist ±1</translation>
         </message>
@@ -2695,7 +2695,7 @@
             <translation>Unterschied in der Matrix</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison.py" />
             <source>Difference of the weights of all blend shapes, 0 to 1: the root mean square, and the greatest one</source>
             <translation>Unterschied der Gewichte aller Blendshapes, 0 bis 1: quadratisches Mittel und größter Wert</translation>
         </message>
@@ -2755,12 +2755,12 @@
             <translation>Anzeige</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/frame_views.py" />
             <source>Display gain, 0 to 40 dB: enlarges quiet signals</source>
             <translation>Anzeigeverstärkung, 0 bis 40 dB: vergrößert leise Signale</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/frame_views.py" />
             <source>Display gain, 0 to 60 dB: enlarges small amplitudes</source>
             <translation>Anzeigeverstärkung, 0 bis 60 dB: vergrößert kleine Amplituden</translation>
         </message>
@@ -2785,12 +2785,12 @@
             <translation>fertig</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>Download (145 MB)</source>
             <translation>Herunterladen (145 MB)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>Downloading the model (145 MB)…</source>
             <translation>Modell wird heruntergeladen (145 MB)…</translation>
         </message>
@@ -2800,7 +2800,7 @@
             <translation>Einen Keyframe ziehen oder den ausgewählten mit den Pfeiltasten verschieben (Umschalt: weiter). Doppelklick fügt einen hinzu, Entf entfernt ihn. Umschalt+Ziehen oder Umschalt+Links und Umschalt+Rechts markieren einen Bereich zum Glätten, Anheben oder Absenken. Bild auf, Bild ab: anderer Keyframe; mit Strg: andere Kurve.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_waveform.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Drag the edges to trim the take; the arrow keys move the start by 10 ms, with Shift the end</source>
             <translation>Kanten ziehen, um den Take zuzuschneiden; Pfeiltasten verschieben den Anfang um 10 ms, mit Umschalt das Ende</translation>
         </message>
@@ -2815,7 +2815,7 @@
             <translation>Ziehen oder Pfeiltasten drücken (Umschalt: feiner).</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_view.py" />
             <source>Draw only the edges of the mesh (W)</source>
             <translation>Nur die Kanten des Meshs zeichnen (W)</translation>
         </message>
@@ -2825,7 +2825,7 @@
             <translation>Gesteuert durch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_view.py" />
             <source>Driver of the head</source>
             <translation>Steuerung des Kopfes</translation>
         </message>
@@ -2930,7 +2930,7 @@
             <translation>Elf Mundformen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>Encoder</source>
             <translation>Encoder</translation>
         </message>
@@ -3340,7 +3340,7 @@
             <translation>keine Datenbank</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>File model</source>
             <translation>Modell für Dateien</translation>
         </message>
@@ -3385,7 +3385,7 @@
             <translation>Filter, durch die das Signal gemittelt wurde; nur Kurven mit gleichen Filtern lassen sich vergleichen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Find a few rules in the loaded takes and recordings</source>
             <translation>In den geladenen Takes und Aufnahmen wenige Regeln suchen</translation>
         </message>
@@ -3395,7 +3395,7 @@
             <translation>In den geladenen Takes und Aufnahmen wenige Regeln suchen, auf der Seite Kalibrieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Find Rules</source>
             <translation>Regeln suchen</translation>
         </message>
@@ -3405,7 +3405,7 @@
             <translation>Die Wörter des Textes in der Aufnahme finden (Strg+Umschalt+Eingabetaste)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Finds a small decision tree for the loaded takes and recordings, as rules to read and edit.</source>
             <translation>Sucht einen kleinen Entscheidungsbaum für die geladenen Takes und Aufnahmen, als Regeln zum Lesen und Bearbeiten.</translation>
         </message>
@@ -3450,7 +3450,7 @@
             <translation>Anpassung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
             <source>Fit All</source>
             <translation>Alles einpassen</translation>
         </message>
@@ -3470,7 +3470,7 @@
             <translation>Zahl anpassen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
             <source>Fit Selection</source>
             <translation>Auswahl einpassen</translation>
         </message>
@@ -3570,7 +3570,7 @@
             <translation>Ordner…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
             <source>Follow</source>
             <translation>Folgen</translation>
         </message>
@@ -3705,7 +3705,7 @@
             <translation>Frequenzen, Fenster, Pegel und Farbtabelle des Sonagramms</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/frame_views.py" />
             <source>Frequency</source>
             <translation>Frequenz</translation>
         </message>
@@ -3715,7 +3715,7 @@
             <translation>Frequenzachse</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Frequency bands</source>
             <translation>Frequenzbänder</translation>
         </message>
@@ -3790,7 +3790,7 @@
             <translation>Gälisch (Schottland)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/frame_views.py" />
             <source>Gain</source>
             <translation>Gain</translation>
         </message>
@@ -3810,7 +3810,7 @@
             <translation>Kurven werden erzeugt…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/network_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/driver_model.py" />
             <source>Generating the face from the sound: {progress:.0%}</source>
             <translation>Gesicht wird aus dem Ton erzeugt: {progress:.0%}</translation>
         </message>
@@ -3855,7 +3855,7 @@
             <translation>Zum Anfang</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison.py" />
             <source>Go to the next difference of the list</source>
             <translation>Zum nächsten Unterschied der Liste gehen</translation>
         </message>
@@ -3870,7 +3870,7 @@
             <translation>Zum nächsten Schritt gehen (Eingabetaste)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison.py" />
             <source>Go to the previous difference of the list</source>
             <translation>Zum vorigen Unterschied der Liste gehen</translation>
         </message>
@@ -4175,7 +4175,7 @@
             <translation>Wie oft das erkannte Phonem wechselt; häufiger als die Beschriftung ist Flackern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/feeling_lane.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/course_lanes.py" />
             <source>How the voice differs from the speaker's usual voice, −1 to 1: activation (level, pitch, range, rate, spectral tilt) and, far less certain, pleasantness. The band is the standard error; it fills the lane where nothing is known: before the first voiced second, in pauses, in a whisper. The lane identifies no emotion: anger and joy both raise activation.</source>
             <translation>Wie sich die Stimme von der gewohnten Stimme des Sprechers unterscheidet, −1 bis 1: Aktivierung (Pegel, Tonhöhe, Umfang, Tempo, spektrale Neigung) und, weit weniger sicher, Angenehmheit. Das Band ist der Standardfehler; es füllt die Spur, wo nichts bekannt ist: vor der ersten stimmhaften Sekunde, in Pausen, beim Flüstern. Die Spur bestimmt keine Emotion: Ärger und Freude erhöhen beide die Aktivierung.</translation>
         </message>
@@ -4255,7 +4255,7 @@
             <translation>Verwendet: {name} ({low:.0f}–{high:.0f} Hz), da die Grundfrequenz der Stimme {pitch:.0f} Hz ist, der Median ihrer letzten Sekunde.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>In use: {words}.</source>
             <translation>Aktiv: {words}.</translation>
         </message>
@@ -4700,7 +4700,7 @@
             <translation>Zwei Sekunden nicht sprechen, dann neun Laute sprechen und einen Satz vorlesen. Aufgenommen wird erst nach „Start“.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/room_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/model.py" />
             <source>Keep quiet: measuring the background noise for {seconds:g} seconds…</source>
             <translation>Nicht sprechen: Das Hintergrundgeräusch wird {seconds:g} Sekunden lang gemessen…</translation>
         </message>
@@ -4980,7 +4980,7 @@
             <translation>Pegel </translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/frame_views.py" />
             <source>Level (dB)</source>
             <translation>Pegel (dB)</translation>
         </message>
@@ -5185,7 +5185,7 @@
             <translation>Litauisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
             <source>Live</source>
             <translation>Live</translation>
         </message>
@@ -5260,7 +5260,7 @@
             <translation>Gesicht laden…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/page.py" />
             <source>Load Labelled Recordings</source>
             <translation>Beschriftete Aufnahmen laden</translation>
         </message>
@@ -5390,7 +5390,7 @@
             <translation>Vorausschau {ms:.0f} ms</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>Looking for the model…</source>
             <translation>Modell wird gesucht…</translation>
         </message>
@@ -5580,12 +5580,12 @@
             <translation>max</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Maximum conditions</source>
             <translation>Höchstzahl Bedingungen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Maximum number of conditions of all rules together; fewer are easier to read</source>
             <translation>Höchstzahl der Bedingungen aller Regeln zusammen; wenige sind leichter zu lesen</translation>
         </message>
@@ -5685,12 +5685,12 @@
             <translation>Nur am Testsatz gemessen ({seconds:.1f} s), dessen Beschriftung nach dem bekannten Text ausgerichtet ist.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/selection_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Measurements</source>
             <translation>Messwerte</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/selection_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Measurements: {start:.3f} to {end:.3f} s of {sound}</source>
             <translation>Messwerte: {start:.3f} bis {end:.3f} s von {sound}</translation>
         </message>
@@ -5950,12 +5950,12 @@
             <translation>Den Kopf mit Tonhöhe und Lautstärke der Sprache bewegen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_view.py" />
             <source>Move the light to the left (,)</source>
             <translation>Licht nach links bewegen (,)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_view.py" />
             <source>Move the light to the right (.)</source>
             <translation>Licht nach rechts bewegen (.)</translation>
         </message>
@@ -6240,7 +6240,7 @@
             <translation>nicht übersteuert</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison.py" />
             <source>No Comparison</source>
             <translation>Kein Vergleich</translation>
         </message>
@@ -6325,7 +6325,7 @@
             <translation>kein Mikrofon gefunden; eines anschließen oder prüfen, ob das Audiosystem läuft</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>no model is installed: download it, or choose the folder of one that you have</source>
             <translation>es ist kein Modell installiert: herunterladen oder den Ordner eines vorhandenen wählen</translation>
         </message>
@@ -6690,7 +6690,7 @@
             <translation>Aus</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>Offline</source>
             <translation>Offline</translation>
         </message>
@@ -6705,22 +6705,22 @@
             <translation>Altes Preset</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>On a {left_out} that was held out they are worse than the current preset. Load more data.</source>
             <translation>An zurückgehaltenen Daten ({left_out}) gemessen sind sie schlechter als das aktuelle Preset. Mehr Daten laden.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>One curve for each phoneme</source>
             <translation>Eine Kurve je Phonem</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>One curve for each phoneme of each speaker</source>
             <translation>Eine Kurve je Phonem und Sprecher</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>One curve for each speaker</source>
             <translation>Eine Kurve je Sprecher</translation>
         </message>
@@ -6910,7 +6910,7 @@
             <translation>dem Öffnen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/network_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/driver_model.py" />
             <source>Opening face network…</source>
             <translation>Gesichtsnetz wird geöffnet …</translation>
         </message>
@@ -6925,7 +6925,7 @@
             <translation>Mikrofon wird geöffnet</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>Opening the model…</source>
             <translation>Modell wird geöffnet…</translation>
         </message>
@@ -7085,12 +7085,12 @@
             <translation>je Fenster</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/page.py" />
             <source>Permanently remove the deleted take from disk? Earlier changes to takes can then no longer be undone.</source>
             <translation>Den gelöschten Take endgültig vom Datenträger entfernen? Frühere Änderungen an Takes lassen sich dann nicht mehr rückgängig machen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/page.py" />
             <source>Permanently remove {n} deleted takes from disk? Earlier changes to takes can then no longer be undone.</source>
             <translation>{n} gelöschte Takes endgültig vom Datenträger entfernen? Frühere Änderungen an Takes lassen sich dann nicht mehr rückgängig machen.</translation>
         </message>
@@ -7125,7 +7125,7 @@
             <translation>Phonemwechsel pro Sekunde in den letzten 3 Sekunden; Sprache hat etwa 9. Ein Preset mit mehr Glättung wie thesis-calm wechselt seltener</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/page.py" />
             <source>Phoneme for {name}</source>
             <translation>Phonem für {name}</translation>
         </message>
@@ -7180,7 +7180,7 @@
             <translation>Name in PhonemeData: {name}, dort in Frequenzstufen, hier in Hz</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>Phonemes</source>
             <translation>Phoneme</translation>
         </message>
@@ -7355,7 +7355,7 @@
             <translation>Wiedergabelautstärke {volume:.0f} dB</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/feeling_lane.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/course_lanes.py" />
             <source>Pleasantness</source>
             <translation>Angenehmheit</translation>
         </message>
@@ -7425,7 +7425,7 @@
             <translation>Preemphase</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_box.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>Preset</source>
             <translation>Preset</translation>
         </message>
@@ -7670,12 +7670,12 @@
             <translation>Bereit?</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>Real-time</source>
             <translation>Echtzeit</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>Real-time model</source>
             <translation>Echtzeitmodell</translation>
         </message>
@@ -7725,7 +7725,7 @@
             <translation>Mit Extended rules erkennen; Rückgängig bringt das Preset zurück</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Recognise with these rules; Ctrl+Z restores the preset</source>
             <translation>Mit diesen Regeln erkennen; Strg+Z stellt das Preset wieder her</translation>
         </message>
@@ -7740,12 +7740,12 @@
             <translation>Erkannt als →</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/selection_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Recognised with the preset {preset}. Pitch and formants: of the voiced frames. Level: root mean square (mean) and largest sample (max), dBFS. Phonemes: shares of all frames.</source>
             <translation>Erkannt mit dem Preset {preset}. Grundfrequenz und Formanten: der stimmhaften Frames. Pegel: Effektivwert (Mittel) und größter Abtastwert (Max), dBFS. Phoneme: Anteile an allen Frames.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_box.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>Recognisers of other packages</source>
             <translation>Erkenner anderer Pakete</translation>
         </message>
@@ -7830,7 +7830,7 @@
             <translation>Die Aufnahme begann nicht, da gerade die Latenz gemessen wird. In einigen Sekunden noch einmal versuchen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>Recordings</source>
             <translation>Aufnahmen</translation>
         </message>
@@ -7900,7 +7900,7 @@
             <translation>Gemittelte Spektren entfernen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/page.py" />
             <source>Remove Deleted Takes</source>
             <translation>Gelöschte Takes entfernen</translation>
         </message>
@@ -8115,7 +8115,7 @@
             <translation>Eingabetaste</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
             <source>Return to the live signal of the microphone (Ctrl+B)</source>
             <translation>Zurück zum Live-Signal des Mikrofons (Strg+B)</translation>
         </message>
@@ -8180,7 +8180,7 @@
             <translation>Regeln</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Rules found</source>
             <translation>Gefundene Regeln</translation>
         </message>
@@ -8205,7 +8205,7 @@
             <translation>Regeln über Frequenzbändern, deren Grenzen sich alle ziehen lassen: Mundformen {percent} % bei ausgelassenen Sprechern.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Rules: {rules}, conditions: {conditions}.</source>
             <translation>Regeln: {rules}, Bedingungen: {conditions}.</translation>
         </message>
@@ -8405,7 +8405,7 @@
             <translation>Aufnahmen speichern in {folder}…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/selection_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Save Selection as Audio File</source>
             <translation>Auswahl als Audiodatei speichern</translation>
         </message>
@@ -8575,7 +8575,7 @@
             <translation>Skript…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
             <source>Scroll on by a page when playback leaves the view</source>
             <translation>Weiterblättern, wenn die Wiedergabe den Ausschnitt verlässt</translation>
         </message>
@@ -8630,7 +8630,7 @@
             <translation>Segmente der Zelle</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_waveform.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Select a take to play and trim it</source>
             <translation>Take zum Anhören und Zuschneiden wählen</translation>
         </message>
@@ -8725,7 +8725,7 @@
             <translation>Alle Regler auf 0 setzen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_box.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>Set as {letter}</source>
             <translation>Als {letter} setzen</translation>
         </message>
@@ -8880,7 +8880,7 @@
             <translation>Ausdrücke zeigen, die andere Programme senden: /expression NAME 0..1 oder die Blendshapes einer Gesichtserfassung (VMC)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_view.py" />
             <source>Show head and shoulders from the front</source>
             <translation>Kopf und Schultern von vorn zeigen</translation>
         </message>
@@ -8915,7 +8915,7 @@
             <translation>Tabelle anzeigen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/frame_views.py" />
             <source>Show the amplitude in dB</source>
             <translation>Amplitude in dB zeigen</translation>
         </message>
@@ -8930,7 +8930,7 @@
             <translation>Den Kopf des Mannes zeigen, der zum Programm gehört</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_view.py" />
             <source>Show the mouth from the front</source>
             <translation>Den Mund von vorn zeigen</translation>
         </message>
@@ -8945,7 +8945,7 @@
             <translation>Das Sonagramm nach allen aktiven Filtern zeigen, so wie Erkenner mit Filtern es sehen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_view.py" />
             <source>Show the whole head from the front (Home or double-click)</source>
             <translation>Ganzen Kopf von vorn zeigen (Pos1 oder Doppelklick)</translation>
         </message>
@@ -9065,7 +9065,7 @@
             <translation>Langsamer</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>Small network</source>
             <translation>Kleines Netz</translation>
         </message>
@@ -9235,7 +9235,7 @@
             <translation>Sprecher: {speaker}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>Speakers</source>
             <translation>Sprecher</translation>
         </message>
@@ -9260,7 +9260,7 @@
             <translation>Spektrum des aktuellen Fensters von 46.4 ms, nach allen aktiven Filtern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>Speech Encoder</source>
             <translation>Sprach-Encoder</translation>
         </message>
@@ -9760,7 +9760,7 @@
             <translation>Das Hintergrundgeräusch war so laut wie eine Stimme ({db} dBFS); nicht sprechen und noch einmal messen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/room_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/model.py" />
             <source>The background noise was not measured, because the microphone stopped. Measure it again.</source>
             <translation>Das Hintergrundgeräusch wurde nicht gemessen, weil das Mikrofon gestoppt wurde. Noch einmal messen.</translation>
         </message>
@@ -9965,7 +9965,7 @@
             <translation>die Art von Spur {number}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>The labels have no such phoneme</source>
             <translation>Dieses Phonem kommt in den Beschriftungen nicht vor</translation>
         </message>
@@ -9990,7 +9990,7 @@
             <translation>Die Sprache eines Textes wird nicht geraten; mit --language angeben, etwa {some}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>The last column is cross-validated: each {left_out} in turn is held out and measured.</source>
             <translation>Die letzte Spalte ist kreuzvalidiert: Je eine Einheit ({left_out}) wird zurückgehalten und gemessen.</translation>
         </message>
@@ -10190,7 +10190,7 @@
             <translation>die Zahl der bewegten Eckpunkte</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>The offline model recognises files best together with the encoder of Whisper base, which was trained on very many voices. The encoder runs on this computer, takes 250 MB of memory, and is used where a whole file is recognised at once: saving, exporting, aligning with its text.</source>
             <translation>Am besten erkennt das Offline-Modell Dateien zusammen mit dem Encoder von Whisper base, der mit sehr vielen Stimmen trainiert wurde. Der Encoder läuft auf diesem Computer, braucht 250 MB Arbeitsspeicher und wird genutzt, wo eine ganze Datei auf einmal erkannt wird: beim Speichern, Exportieren und Ausrichten an ihrem Text.</translation>
         </message>
@@ -10610,7 +10610,7 @@
             <translation>Es gibt noch keine eigenen Variablen. Zuerst einen Bereich im gemittelten Spektrum markieren.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/page.py" />
             <source>There are no deleted takes.</source>
             <translation>Es gibt keine gelöschten Takes.</translation>
         </message>
@@ -10890,7 +10890,7 @@
             <translation>Mindestens eine Vorlage ist nötig, vorhanden ist keine; Takes der Phoneme aufnehmen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/page.py" />
             <source>These labels are not known phoneme names. Choose a phoneme for each one; labels left unidentified are not scored.</source>
             <translation>Diese Beschriftungen sind keine bekannten Phonemnamen. Für jede ein Phonem wählen; was unbekannt bleibt, wird nicht bewertet.</translation>
         </message>
@@ -11035,7 +11035,7 @@
             <translation>Ebenen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_waveform.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>time (s)</source>
             <translation>Zeit (s)</translation>
         </message>
@@ -11050,7 +11050,7 @@
             <translation>Zeit, um die sich der Mund bewegt, bevor die Sprache zu hören ist</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/frame_views.py" />
             <source>Time in the window</source>
             <translation>Zeit im Fenster</translation>
         </message>
@@ -11065,7 +11065,7 @@
             <translation>Zeit und Nummer des Bildes, ab 0 gezählt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/position_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Timeline</source>
             <translation>Zeitleiste</translation>
         </message>
@@ -11160,7 +11160,7 @@
             <translation>Wiedergabe</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_waveform.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Trim take</source>
             <translation>Take zuschneiden</translation>
         </message>
@@ -11275,7 +11275,7 @@
             <translation>Unity-Paket: C#, ein sprechendes Gesicht und ein sprechendes Sprite</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/page.py" />
             <source>Unknown Labels</source>
             <translation>Unbekannte Beschriftungen</translation>
         </message>
@@ -11300,7 +11300,7 @@
             <translation>Ungespeicherte Änderungen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_box.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>unsaved changes</source>
             <translation>ungespeicherte Änderungen</translation>
         </message>
@@ -11460,12 +11460,12 @@
             <translation>Variable:</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>Variables</source>
             <translation>Variablen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Variables of the preset</source>
             <translation>Variablen des Presets</translation>
         </message>
@@ -11575,12 +11575,12 @@
             <translation>Vokal-Triphon</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>Vowels</source>
             <translation>Vokale</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>vowels</source>
             <translation>Vokale</translation>
         </message>
@@ -11610,17 +11610,17 @@
             <translation>WAV (RF64 über 4 GB)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/frame_views.py" />
             <source>Waveform</source>
             <translation>Wellenform</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/position_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Waveform of the whole file in the colours of its phonemes (grey: not analysed yet). Click to go to that time; arrow keys move by 1 s</source>
             <translation>Wellenform der ganzen Datei in den Farben ihrer Phoneme (grau: noch nicht analysiert). Klick: zu dieser Stelle gehen; Pfeiltasten: um 1 s</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/frame_views.py" />
             <source>Waveform: display gain</source>
             <translation>Wellenform: Anzeigeverstärkung</translation>
         </message>
@@ -11685,7 +11685,7 @@
             <translation>Was den Mund steuert: aufgezeichnete Gesichter und Pinyin-Buchstaben, wo die Wörter bekannt sind, ein Netz bei jedem Ton. Automatisch: aufgezeichnete Gesichter oder ein Netz, wenn geöffnet, Pinyin-Buchstaben für Chinesisch, sonst Phoneme</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>What rules may compare: frequency bands, with filters that suit them, or the preset's variables</source>
             <translation>Was Regeln vergleichen dürfen: Frequenzbänder, mit passenden Filtern, oder die Variablen des Presets</translation>
         </message>
@@ -11705,7 +11705,7 @@
             <translation>Mausrad: am Zeiger zoomen. Ziehen: verschieben. Klick: dorthin gehen. Umschalt+Ziehen oder [ und ] am Cursor: auswählen. Pos1, Ende: zum Anfang oder Ende. Beschriftungen: tippen benennt um, die Eingabetaste teilt am Cursor, Ziehen verschiebt eine Grenze (Strg: ohne Einrasten).</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison.py" />
             <source>Where both heads differ most; choose a place to go there</source>
             <translation>Wo sich beide Köpfe am stärksten unterscheiden; eine Stelle wählen, um dorthin zu gehen</translation>
         </message>
@@ -11825,32 +11825,32 @@
             <translation>Drahtgitter (W)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison.py" />
             <source>With a Face Network</source>
             <translation>Mit einem Gesichtsnetz</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison.py" />
             <source>With Phonemes (Rules)</source>
             <translation>Mit Phonemen (Regeln)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison.py" />
             <source>With Pinyin Letters</source>
             <translation>Mit Pinyin-Buchstaben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison.py" />
             <source>With Preset B (Analysis &gt; Choose Preset B…)</source>
             <translation>Mit Preset B (Analyse &gt; Preset B wählen…)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison.py" />
             <source>With Preset {preset}</source>
             <translation>Mit Preset {preset}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison.py" />
             <source>With Recorded Faces</source>
             <translation>Mit aufgezeichneten Gesichtern</translation>
         </message>
@@ -11960,12 +11960,12 @@
             <translation>Auf Auswahl zoomen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
             <source>Zoom to the selection (Shift+Z); Shift+drag selects</source>
             <translation>Auf die Auswahl zoomen (Umschalt+Z); Umschalt+Ziehen wählt aus</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
             <source>Zoom to the whole file (Shift+A)</source>
             <translation>Auf die ganze Datei zoomen (Umschalt+A)</translation>
         </message>
@@ -12245,7 +12245,7 @@
             <translation>{first} und {second} stehen an einer Stelle; eines davon entfernen oder [{first_2} 0.5, {second_2} 0.5] schreiben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
             <source>{first} and {second} recognise different phonemes in {share:.1f} % of the visible frames</source>
             <translation>{first} und {second} erkennen in {share:.1f} % der sichtbaren Frames verschiedene Phoneme</translation>
         </message>
@@ -12350,7 +12350,7 @@
             <translation>{letter}: {preset} wird verwendet</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_box.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_choice.py" />
             <source>{letter}: {preset}; X uses it</source>
             <translation>{letter}: {preset}; X verwendet es</translation>
         </message>
@@ -13140,7 +13140,7 @@
             <translation>{name}; Kanäle löschen sich beim Mischen aus, einen davon wählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/network_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/driver_model.py" />
             <source>{network}: {note}.</source>
             <translation>{network}: {note}.</translation>
         </message>
@@ -13155,7 +13155,7 @@
             <translation>{n} Kanäle</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>{n} curves of {seconds:.1f} s of sound</source>
             <translation>{n} Kurven aus {seconds:.1f} s Ton</translation>
         </message>
@@ -13250,12 +13250,12 @@
             <translation>{n} von {all} Blendshapes sind zugeordnet.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison.py" />
             <source>{n} place</source>
             <translation>{n} Stelle</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison.py" />
             <source>{n} places</source>
             <translation>{n} Stellen</translation>
         </message>
@@ -13515,7 +13515,7 @@
             <translation>{place}: {word} hat keine Laute, gefunden {ipa}; seine IPA angeben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/frame_views.py" />
             <source>{plot}: display gain</source>
             <translation>{plot}: Anzeigeverstärkung</translation>
         </message>
@@ -13635,7 +13635,7 @@
             <translation>{seconds:.2f} s, {n} Frames</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison.py" />
             <source>{seconds:.2f} s: {shapes}</source>
             <translation>{seconds:.2f} s: {shapes}</translation>
         </message>
@@ -13655,7 +13655,7 @@
             <translation>{self}: {fault}; neu aufnehmen oder beschriften</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
             <source>{share:.1f} % different</source>
             <translation>{share:.1f} % verschieden</translation>
         </message>
@@ -13700,7 +13700,7 @@
             <translation>{start:.2f} bis {end:.2f} s: beschriftet mit {said}, erkannt als {recognised}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_waveform.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>{start:.2f} – {end:.2f} s of {duration:.2f} s</source>
             <translation>{start:.2f} – {end:.2f} s von {duration:.2f} s</translation>
         </message>

@@ -15,8 +15,7 @@ from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import Wrapping, column, row
-from phonemeanalyser.desktop.widgets.labels import ElidedLabel
+from phonemeanalyser.desktop.widgets.builders import ElidedLabel, Wrapping, column, row
 from phonemeengine.arrays import Float64Array
 
 READOUTS_PER_SECOND = 30

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import pytest
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
-from phonemeanalyser.desktop.analyse.recognition.recogniser_choice import EncoderDialog
+from phonemeanalyser.desktop.analyse.recognition.preset_choice import EncoderDialog
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from tests.desktop.hands import FileAnswers
 

@@ -10,8 +10,8 @@ from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from phonemeanalyser.desktop.calibrate.dialogs import MappingDialog
 from phonemeanalyser.desktop.calibrate.model import AROUND
+from phonemeanalyser.desktop.calibrate.page import MappingDialog
 from phonemeanalyser.desktop.calibrate.workbench.confusion_view import SAID, TAKEN
 from phonemeanalyser.desktop.calibrate.workbench.fit_panel import ComparePanel
 from phonemeanalyser.desktop.calibrate.workbench.workbench_view import WorkbenchView

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from phonemeanalyser.desktop.session.averages import RunningAverage
+from phonemeanalyser.desktop.session.curves import RunningAverage
 from phonemeengine.analyser import Analyser, Analysis, analyse_blocks
 from phonemeengine.errors import CurveError
 from phonemeengine.inspection.averaged_spectrum import load_averaged_spectrum

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from phonemeanalyser.desktop.session.feeling_track import AT_ONCE, FeelingTrack, LiveFeelings
 from phonemeanalyser.desktop.session.history import History
+from phonemeanalyser.desktop.session.seen_tracks import COLUMNS_AT_ONCE, FeelingTrack, LiveFeelings
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.audio.files import SoundReader
@@ -39,8 +39,8 @@ def test_a_file_and_live_sound_show_what_the_engine_estimates(qtbot, tmp_path):
     for analysis in analyse_blocks([SOUND], load_preset(FACTORY / "thesis.toml")):
         history.append(analysis)
     for n in (1, 2):  # a part for each picture
-        assert len(live.feelings_in(TimeSpan(0.0, 3.0)).felt) == n * AT_ONCE
+        assert len(live.feelings_in(TimeSpan(0.0, 3.0)).felt) == n * COLUMNS_AT_ONCE
     live.feelings_in(TimeSpan(0.0, 3.0))
     np.testing.assert_allclose(live.feelings_in(TimeSpan(0.0, 3.0)).felt, wanted, atol=2e-3)
     live.forget()
-    assert len(live.feelings_in(TimeSpan(0.0, 3.0)).felt) == AT_ONCE
+    assert len(live.feelings_in(TimeSpan(0.0, 3.0)).felt) == COLUMNS_AT_ONCE

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from phonemeanalyser.desktop.session.formant_track import MOST_SECONDS, FormantTrack
+from phonemeanalyser.desktop.session.seen_tracks import MOST_SECONDS, FormantTrack
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.formants import formants_of

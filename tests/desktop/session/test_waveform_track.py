@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from phonemeanalyser.desktop.session.seen_tracks import WaveformTrack
 from phonemeanalyser.desktop.session.time_view import TimeSpan
-from phonemeanalyser.desktop.session.waveform_track import WaveformTrack
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.waveform_peaks import WaveformPeaks
 from phonemeengine.settings import SAMPLE_RATE

@@ -6,12 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QColor
 
-from phonemeanalyser.desktop.analyse.transport.position_slider import (
-    NOTHING,
-    WAVE_HEIGHT,
-    main_phonemes,
-    overview_pixels,
-)
+from phonemeanalyser.desktop.analyse.transport.transport import NOTHING, WAVE_HEIGHT, main_phonemes, overview_pixels
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS
 from phonemeengine.analyser import analyse_file, concatenate_analyses

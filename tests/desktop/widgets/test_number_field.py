@@ -7,7 +7,7 @@ from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QAbstractSpinBox
 
 from phonemeanalyser.desktop.analyse.recognition.variable_dialog import VariableDialog
-from phonemeanalyser.desktop.widgets.number_field import NumberField
+from phonemeanalyser.desktop.widgets.fields import NumberField
 from tests.desktop.hands import followed, type_number
 
 

@@ -12,7 +12,7 @@ from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QGridLayout, QWidget
 from typing_extensions import override
 
-from phonemeanalyser.desktop.analyse.lanes.feeling_lane import (
+from phonemeanalyser.desktop.analyse.lanes.course_lanes import (
     FEELING_HEIGHT,
     feeling_tip,
     feeling_words,
@@ -23,8 +23,8 @@ from phonemeanalyser.desktop.analyse.lanes.sonagram_choices import SonagramChoic
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.courses import Courses
-from phonemeanalyser.desktop.session.feeling_track import LiveFeelings
 from phonemeanalyser.desktop.session.history import CAPACITY, NOWHERE, History
+from phonemeanalyser.desktop.session.seen_tracks import LiveFeelings
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sonagram_tiles import Tile
 from phonemeanalyser.desktop.session.time_view import TimeSpan

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QComboBox
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import AT_LEFT, AT_RIGHT, CENTRED, draw_text, set_size
-from phonemeanalyser.desktop.session.formant_track import MOST_SECONDS, KnownFormants
+from phonemeanalyser.desktop.session.seen_tracks import MOST_SECONDS, KnownFormants
 from phonemeanalyser.desktop.session.sonagram_tiles import USUAL_COLOURS, SonagramTiles, Tile
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.lanes import TimeAxis

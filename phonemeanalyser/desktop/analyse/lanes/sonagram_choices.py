@@ -11,7 +11,7 @@ from phonemeanalyser.desktop.analyse.lanes.sonagram import add_colour_maps
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.widgets.builders import choice, label, leave_wheel, named, open_at_once, row, tool_button
-from phonemeanalyser.desktop.widgets.number_field import NumberField
+from phonemeanalyser.desktop.widgets.fields import NumberField
 from phonemeengine.dsp.sonagram import NARROW_BAND, WIDE_BAND, FrequencyAxis
 from phonemeengine.settings import SAMPLE_RATE
 

@@ -26,7 +26,7 @@ from phonemeanalyser.desktop.widgets.builders import (
     silent,
     tool_button,
 )
-from phonemeanalyser.desktop.widgets.number_field import NumberField
+from phonemeanalyser.desktop.widgets.fields import NumberField
 from phonemeengine.presets.controls import unused_settings
 from phonemeengine.presets.model_choice import figures_ahead, for_live_use, frames_ahead
 from phonemeengine.recognition.spec import spec_of

@@ -26,8 +26,8 @@ from phonemeanalyser.desktop.widgets.builders import (
     silent,
     tool_button,
 )
+from phonemeanalyser.desktop.widgets.fields import NumberField
 from phonemeanalyser.desktop.widgets.key_filters import ArrowKeys
-from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeengine.errors import EngineError
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import readable_name

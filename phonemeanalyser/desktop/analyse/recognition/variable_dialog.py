@@ -9,7 +9,7 @@ from typing_extensions import override
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.widgets.builders import CANCEL, choice, dialog_buttons, label
-from phonemeanalyser.desktop.widgets.number_field import NumberField
+from phonemeanalyser.desktop.widgets.fields import NumberField
 from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.settings import SAMPLE_RATE

@@ -13,7 +13,18 @@ from phonemeanalyser.desktop.session.preset import A, B
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import SCOPES, Scope, TimeSpan
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import choice, column, grid, label, named, row, tab_buttons, tool_button
+from phonemeanalyser.desktop.widgets.builders import (
+    ElidedLabel,
+    StillLabel,
+    choice,
+    column,
+    grid,
+    label,
+    named,
+    row,
+    tab_buttons,
+    tool_button,
+)
 from phonemeanalyser.desktop.widgets.figures import (
     FIGURES,
     LEAST_GAIN,
@@ -21,7 +32,6 @@ from phonemeanalyser.desktop.widgets.figures import (
     colour_of_gain,
     figure_in_words,
 )
-from phonemeanalyser.desktop.widgets.labels import ElidedLabel, StillLabel
 from phonemeengine.calibration.scores.scoring import Agreement
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD

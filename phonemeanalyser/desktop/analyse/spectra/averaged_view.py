@@ -9,11 +9,10 @@ from PySide6.QtGui import QColor, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QGraphicsPolygonItem, QLabel, QMenu
 from typing_extensions import override
 
-from phonemeanalyser.desktop.analyse.spectra.spectrum_view import FLOOR_DB, SpectrumView, reading_of
+from phonemeanalyser.desktop.analyse.spectra.frame_views import FLOOR_DB, SpectrumView, reading_of
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.session.averages import RunningAverage
-from phonemeanalyser.desktop.session.curves import CurveTable
+from phonemeanalyser.desktop.session.curves import CurveTable, RunningAverage
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import open_at_once, toggle_button, tool_button
 from phonemeanalyser.desktop.widgets.plot import polyline_of

@@ -34,7 +34,7 @@ from phonemeanalyser.desktop.widgets.builders import (
     tab_buttons,
     tool_button,
 )
-from phonemeanalyser.desktop.widgets.number_field import NumberField
+from phonemeanalyser.desktop.widgets.fields import NumberField
 from phonemeanalyser.desktop.widgets.plot_menu import let_copy
 from phonemeengine.calibration.workbench.phoneme_data_table import ALL_SPEAKERS, NumberRow, Sides
 from phonemeengine.dsp.pitch import HIGHEST, LOWEST

@@ -8,6 +8,7 @@ from phonemeanalyser.desktop.talk.expression.osc_model import OscModel
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import (
+    ElidedLabel,
     choice,
     column,
     fill_rows,
@@ -22,7 +23,6 @@ from phonemeanalyser.desktop.widgets.builders import (
     spoken_button,
     tool_button,
 )
-from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 
 RECORDING = tr_noop(
     "Load a face that Live Link Face or OpenFace captured (CSV), and show it along with the speech, in sync with the "

@@ -11,6 +11,7 @@ from typing_extensions import override
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.head.face_model import FaceModel
 from phonemeanalyser.desktop.widgets.builders import (
+    ElidedLabel,
     choice,
     column,
     dialog_buttons,
@@ -21,7 +22,6 @@ from phonemeanalyser.desktop.widgets.builders import (
     silent,
     style_list,
 )
-from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 from phonemeengine.mouth.face_mapping import ENOUGH, FaceMapping, guess_mapping
 
 SIZE = 480, 560

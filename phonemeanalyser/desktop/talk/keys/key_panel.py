@@ -11,8 +11,7 @@ from phonemeanalyser.desktop.talk.keys.key_lanes import KeyLanes
 from phonemeanalyser.desktop.talk.keys.key_model import MOST_SHAPES
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import column, open_without_arrow, row, spoken_button
-from phonemeanalyser.desktop.widgets.labels import ElidedLabel
+from phonemeanalyser.desktop.widgets.builders import ElidedLabel, column, open_without_arrow, row, spoken_button
 
 
 class KeyPanel(QWidget):

@@ -13,10 +13,19 @@ from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.talk.head.face_model import HEADS
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
-from phonemeanalyser.desktop.widgets.builders import choice, grid, label, named, offer, row, silent, tool_button
-from phonemeanalyser.desktop.widgets.labels import ElidedLabel
+from phonemeanalyser.desktop.widgets.builders import (
+    ElidedLabel,
+    choice,
+    grid,
+    label,
+    named,
+    offer,
+    row,
+    silent,
+    tool_button,
+)
+from phonemeanalyser.desktop.widgets.fields import NumberField
 from phonemeanalyser.desktop.widgets.lanes import names_in_lanes
-from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeengine.mouth.files.io import FaceFiles
 from phonemeengine.mouth.head import Head
 from phonemeengine.mouth.morpher import Detail

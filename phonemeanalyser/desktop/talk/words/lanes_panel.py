@@ -8,8 +8,7 @@ from phonemeanalyser.desktop.language import tr, tr_count
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.words.time_line import SpeechTimeline
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import column, open_without_arrow, row, spoken_button
-from phonemeanalyser.desktop.widgets.labels import ElidedLabel
+from phonemeanalyser.desktop.widgets.builders import ElidedLabel, column, open_without_arrow, row, spoken_button
 
 MOST_LISTED = 30
 """Words of those that fit badly that are listed at once."""

@@ -14,6 +14,7 @@ from phonemeanalyser.desktop.talk.words.voice_panel import VoiceButton
 from phonemeanalyser.desktop.talk.words.written_text import places_of
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import (
+    ElidedLabel,
     choice,
     column,
     named,
@@ -24,8 +25,7 @@ from phonemeanalyser.desktop.widgets.builders import (
     spoken_button,
     tool_button,
 )
-from phonemeanalyser.desktop.widgets.labels import ElidedLabel
-from phonemeanalyser.desktop.widgets.search_box import SearchBox
+from phonemeanalyser.desktop.widgets.fields import SearchBox
 from phonemeengine.labels.utterance import Utterance
 
 N_LINES = 4
