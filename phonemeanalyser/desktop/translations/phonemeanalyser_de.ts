@@ -884,7 +884,7 @@
             <translation>Action Units (FACS), wie OpenFace sie hat</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/course_lanes.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/feeling_lane.py" />
             <source>Activation</source>
             <translation>Aktivierung</translation>
         </message>
@@ -4175,7 +4175,7 @@
             <translation>Wie oft das erkannte Phonem wechselt; häufiger als die Beschriftung ist Flackern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/course_lanes.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/feeling_lane.py" />
             <source>How the voice differs from the speaker's usual voice, −1 to 1: activation (level, pitch, range, rate, spectral tilt) and, far less certain, pleasantness. The band is the standard error; it fills the lane where nothing is known: before the first voiced second, in pauses, in a whisper. The lane identifies no emotion: anger and joy both raise activation.</source>
             <translation>Wie sich die Stimme von der gewohnten Stimme des Sprechers unterscheidet, −1 bis 1: Aktivierung (Pegel, Tonhöhe, Umfang, Tempo, spektrale Neigung) und, weit weniger sicher, Angenehmheit. Das Band ist der Standardfehler; es füllt die Spur, wo nichts bekannt ist: vor der ersten stimmhaften Sekunde, in Pausen, beim Flüstern. Die Spur bestimmt keine Emotion: Ärger und Freude erhöhen beide die Aktivierung.</translation>
         </message>
@@ -7355,7 +7355,7 @@
             <translation>Wiedergabelautstärke {volume:.0f} dB</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/course_lanes.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/feeling_lane.py" />
             <source>Pleasantness</source>
             <translation>Angenehmheit</translation>
         </message>

@@ -7,7 +7,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
-from phonemeanalyser.desktop.analyse.lanes.course_lanes import FEELING_HEIGHT
+from phonemeanalyser.desktop.analyse.lanes.feeling_lane import FEELING_HEIGHT
 from phonemeanalyser.desktop.analyse.lanes.sonagram import side_width
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.session import Session

@@ -5,7 +5,8 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QBrush, QColor, QPaintEngine, QPainter, QPen, QPixmap, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from phonemeanalyser.desktop.analyse.lanes.course_lanes import CourseLanes, paint_feeling_scale, paint_feelings
+from phonemeanalyser.desktop.analyse.lanes.course_lanes import CourseLanes
+from phonemeanalyser.desktop.analyse.lanes.feeling_lane import paint_feeling_scale, paint_feelings
 from phonemeanalyser.desktop.analyse.lanes.file_layout import LANE, LEFT, FileLayout
 from phonemeanalyser.desktop.analyse.lanes.sonagram import Overlaid, SonagramPainter
 from phonemeanalyser.desktop.language import tr

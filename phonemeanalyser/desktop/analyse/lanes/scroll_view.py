@@ -12,7 +12,7 @@ from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QGridLayout, QWidget
 from typing_extensions import override
 
-from phonemeanalyser.desktop.analyse.lanes.course_lanes import (
+from phonemeanalyser.desktop.analyse.lanes.feeling_lane import (
     FEELING_HEIGHT,
     feeling_tip,
     feeling_words,
