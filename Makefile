@@ -1,18 +1,14 @@
 # Thin: each target is what a person would type.
 PYTHON ?= python3
 BIN = .venv/bin
-INSTALL = $(BIN)/python -m pip install --no-compile --quiet --disable-pip-version-check -c constraints.txt
 
 .PHONY: setup run test test-web bench bench-peers fuzz soak screenshots fit docs bundle translations test-csharp blender test-blender release hooks
 
 setup: .venv/ready
 
-.venv/ready: pyproject.toml engine/phonemeengine/__init__.py constraints.txt .ci/system-packages
+.venv/ready: pyproject.toml engine/phonemeengine/__init__.py constraints.txt .ci/system-packages .ci/install
 	.ci/system-packages
-	$(PYTHON) -m venv .venv
-	-$(BIN)/python -m pip install --quiet --disable-pip-version-check 'pip>=25.3' # which looks for packages in a quarter of the time
-	$(INSTALL) --no-deps torch ziglang praat-parselmouth pygame-ce & $(INSTALL) -e '.[desktop,preview,server,speech]'; wait # the largest, beside the others
-	$(INSTALL) -e '.[desktop,preview,server,speech,test]'
+	PYTHON=$(PYTHON) .ci/install -c constraints.txt -e '.[desktop,preview,server,speech,test]'
 	touch $@
 
 run: setup
