@@ -16,13 +16,7 @@ from phonemeengine import PerformanceTable, Progress, TextError, Voice, build_ta
 from phonemeengine.errors import ModelError
 from phonemeengine.mouth.style import save_style
 from phonemeengine.mouth.table import table_to_toml
-from phonemeengine.performance.components import (
-    USUAL_SHARE,
-    component_table,
-    principal_components,
-    reduce_table,
-    rms_between,
-)
+from phonemeengine.performance import components
 from phonemeengine.performance.corpus import BuiltTable
 from phonemeengine.performance.face_learning import LearnedFace, learn_face
 from phonemeengine.performance.face_network import owns, save_face_network
@@ -139,9 +133,9 @@ def _add_pca(kinds: Kinds) -> None:
     parser.add_argument(
         "--explained",
         type=number_in(1, 100, "percent"),
-        default=100 * USUAL_SHARE,
+        default=100 * components.USUAL_SHARE,
         metavar="P",
-        help=f"percent of the variance that the components explain (default: {100 * USUAL_SHARE:g})",
+        help=f"percent of the variance that the components explain (default: {100 * components.USUAL_SHARE:g})",
     )
     parser.add_argument(
         "--rig",
@@ -255,13 +249,13 @@ def _pca(options: argparse.Namespace) -> Iterator[str]:
     guard.check(options.out)
     guard.check(options.rig)
     with PerformanceTable.open(options.table) as table:
-        basis = principal_components((found for _, found in table.recordings()), options.explained / 100)
-        about = reduce_table(table, options.out, basis)
+        basis = components.principal_components((found for _, found in table.recordings()), options.explained / 100)
+        about = components.reduce_table(table, options.out, basis)
         with PerformanceTable.open(options.out) as small:
             pairs = zip(table.recordings(), small.recordings(), strict=True)
-            error = rms_between((before, after) for (_, before), (_, after) in pairs)
+            error = components.rms_between((before, after) for (_, before), (_, after) in pairs)
         if options.rig is not None:
-            text = table_to_toml(component_table(basis, options.rig.stem))
+            text = table_to_toml(components.component_table(basis, options.rig.stem))
             write_guarded(options.rig, [text.encode()], guard)
     yield _summary(options.out, about)
     n, n_shapes = basis.components.shape

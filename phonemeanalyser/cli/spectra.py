@@ -12,13 +12,7 @@ from phonemeanalyser.reports.spectra_plot import plot_of
 from phonemeengine import AudioError, load_preset
 from phonemeengine.errors import remedy
 from phonemeengine.execution import subrange
-from phonemeengine.inspection.averaged_spectrum import (
-    FORMAT,
-    AveragedSpectrum,
-    format_averaged_spectrum,
-    format_distances,
-    format_spectra,
-)
+from phonemeengine.inspection import averaged_spectrum
 from phonemeengine.inspection.speaker_spectra import VOWELS, Grouping, Groups, average_parts, groups_in
 from phonemeengine.labels.phoneme_map import load_phoneme_map
 from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
@@ -83,8 +77,8 @@ def run(options: argparse.Namespace) -> int:
     )
     curves = _averaged(groups, load_preset(options.preset).settings)
     written: dict[str, Callable[[], str]] = {
-        "out": lambda: format_spectra(curves),
-        "differences": lambda: format_distances(curves),
+        "out": lambda: averaged_spectrum.format_spectra(curves),
+        "differences": lambda: averaged_spectrum.format_distances(curves),
         "plot": lambda: plot_of(curves, options.theme),
     }
     for name, text in written.items():
@@ -92,15 +86,17 @@ def run(options: argparse.Namespace) -> int:
             with guarded_text(getattr(options, name), guards[name]) as file:
                 file.write(text())
     if options.curves is not None:
-        _write_curves(curves, options.curves, Guard(begins_like(f"# {FORMAT}".encode()), options.overwrite))
+        _write_curves(
+            curves, options.curves, Guard(begins_like(f"# {averaged_spectrum.FORMAT}".encode()), options.overwrite)
+        )
     for trouble in troubles:
         print(f"phonemeanalyser: {trouble}", file=sys.stderr)
     return 1 if troubles else 0
 
 
-def _averaged(groups: Groups, settings: AnalysisSettings) -> list[AveragedSpectrum]:
+def _averaged(groups: Groups, settings: AnalysisSettings) -> list[averaged_spectrum.AveragedSpectrum]:
     """Average each group, with a progress bar at terminals."""
-    curves: list[AveragedSpectrum] = []
+    curves: list[averaged_spectrum.AveragedSpectrum] = []
     with tqdm(total=100, unit="%", file=sys.stderr, disable=None, leave=False) as bar:
 
         def show(share: float) -> bool:
@@ -114,10 +110,10 @@ def _averaged(groups: Groups, settings: AnalysisSettings) -> list[AveragedSpectr
     return curves
 
 
-def _write_curves(curves: list[AveragedSpectrum], folder: Path, guard: Guard) -> None:
+def _write_curves(curves: list[averaged_spectrum.AveragedSpectrum], folder: Path, guard: Guard) -> None:
     for curve in curves:
         with guarded_text(folder / f"{portable_name(curve.name)}.csv", guard) as file:
-            file.write(format_averaged_spectrum(curve))
+            file.write(averaged_spectrum.format_averaged_spectrum(curve))
 
 
 def _phonemes(text: str) -> tuple[Phoneme, ...]:

@@ -4,20 +4,9 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QFontDatabase
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QDialog,
-    QHeaderView,
-    QMessageBox,
-    QPlainTextEdit,
-    QProgressBar,
-    QPushButton,
-    QTableWidget,
-    QTableWidgetItem,
-    QWidget,
-)
 from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import tr_engine
@@ -45,7 +34,7 @@ TEXT = Path("text")
 """Stands for the current text among the sounds."""
 
 
-class ExportDialog(QDialog):
+class ExportDialog(QtWidgets.QDialog):
     """Asks what sounds become, shows what the first one would become, and works through all of them.
 
     Parameters
@@ -72,7 +61,7 @@ class ExportDialog(QDialog):
         channel: Channel,
         sounds: list[Path],
         settings: QSettings,
-        parent: QWidget,
+        parent: QtWidgets.QWidget,
         presets: Callable[[], Sections] = dict,
         face: FaceInUse | None = None,
         files: FileAsker | None = None,
@@ -83,7 +72,7 @@ class ExportDialog(QDialog):
         self._sounds: list[Path] = []
         self._folder: Path | None = None
         self._shown: dict[int, tuple[str, ...]] = {}
-        self.question: QMessageBox | None = None
+        self.question: QtWidgets.QMessageBox | None = None
         self.queue = ExportQueue()
         self.setWindowTitle(tr("Export"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -111,18 +100,18 @@ class ExportDialog(QDialog):
     # -- how it is made -----------------------------------------------------------------------------------
 
     def _make_files(self) -> None:
-        self.files = named(QTableWidget(0, len(COLUMNS)), tr("Audio files to export"))
+        self.files = named(QtWidgets.QTableWidget(0, len(COLUMNS)), tr("Audio files to export"))
         self.files.setHorizontalHeaderLabels(list(map(tr, COLUMNS)))
         self.files.verticalHeader().hide()
-        self.files.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.files.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.files.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.files.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectionBehavior.SelectRows)
         let_copy(self.files)
         header = self.files.horizontalHeader()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.ResizeToContents)
         header.setStretchLastSection(True)
-        self.preview = named(QPlainTextEdit(), tr("Preview of the output"))
+        self.preview = named(QtWidgets.QPlainTextEdit(), tr("Preview of the output"))
         self.preview.setReadOnly(True)
-        self.preview.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
+        self.preview.setLineWrapMode(QtWidgets.QPlainTextEdit.LineWrapMode.NoWrap)
         self.preview.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         self.preview.setPlaceholderText(
             tr("Press Preview to see the output for the selected file, or for the first one.")
@@ -130,17 +119,17 @@ class ExportDialog(QDialog):
 
     def _make_buttons(self) -> None:
         self.add_files, self.add_folder, self.remove, self.folder = (
-            QPushButton(words) for words in (tr("Add Files…"), tr("Add Folder…"), tr("Remove"), tr(BESIDE))
+            QtWidgets.QPushButton(words) for words in (tr("Add Files…"), tr("Add Folder…"), tr("Remove"), tr(BESIDE))
         )
         self.look, self.start, self.cancel, self.shut = (
-            QPushButton(words) for words in (tr("Preview"), tr("Export"), tr("Cancel"), tr("Close"))
+            QtWidgets.QPushButton(words) for words in (tr("Preview"), tr("Export"), tr("Cancel"), tr("Close"))
         )
         for button in (self.add_files, self.add_folder, self.remove, self.folder, self.look, self.cancel, self.shut):
             button.setAutoDefault(False)
         self.start.setDefault(True)
         named(self.folder, tip=tr("Folder for the exported files"))
         self.told = label(wraps=True)
-        self.bar = QProgressBar()
+        self.bar = QtWidgets.QProgressBar()
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
 
@@ -203,7 +192,7 @@ class ExportDialog(QDialog):
             return
         self._shown[place] = cells
         for k, words in enumerate(cells):
-            item = QTableWidgetItem(words)
+            item = QtWidgets.QTableWidgetItem(words)
             item.setToolTip(words)
             self.files.setItem(place, k, item)
 
@@ -263,8 +252,8 @@ class ExportDialog(QDialog):
     def _ask_to_replace(self, targets: dict[Path, Path], order: ExportOrder, there: list[Path]) -> None:
         """Ask what becomes of files that are there already, made in another way or by others."""
         words = tr("{name} already exists.") if len(there) == 1 else tr("{n} files already exist, such as {name}.")
-        self.question = QMessageBox(
-            QMessageBox.Icon.Question,
+        self.question = QtWidgets.QMessageBox(
+            QtWidgets.QMessageBox.Icon.Question,
             tr("Overwrite Existing Files"),
             words.format(n=len(there), name=targets[there[0]].name),
             parent=self,
@@ -272,11 +261,11 @@ class ExportDialog(QDialog):
         self.question.setInformativeText(
             tr("Existing files may have been edited by hand or made with other settings.")
         )
-        roles = QMessageBox.ButtonRole
+        roles = QtWidgets.QMessageBox.ButtonRole
         self.replace = self.question.addButton(tr("Overwrite"), roles.DestructiveRole)
         self.keep = self.question.addButton(tr("Export Only the Others"), roles.AcceptRole)
         self.keep.setVisible(len(there) < len(targets))
-        self.question.setDefaultButton(self.question.addButton(QMessageBox.StandardButton.Cancel))
+        self.question.setDefaultButton(self.question.addButton(QtWidgets.QMessageBox.StandardButton.Cancel))
         others = {sound: target for sound, target in targets.items() if sound not in there}
         self.replace.clicked.connect(lambda: self.queue.start(targets, replace(order, overwrite=True), self._folder))
         self.keep.clicked.connect(lambda: self.queue.start(others, order, self._folder))

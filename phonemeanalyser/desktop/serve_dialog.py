@@ -5,18 +5,9 @@ from collections.abc import Callable
 from pathlib import Path
 from socket import gethostname
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QDialog,
-    QFormLayout,
-    QLineEdit,
-    QPlainTextEdit,
-    QPushButton,
-    QSpinBox,
-    QWidget,
-)
 from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import tr_engine
@@ -48,7 +39,7 @@ WORDS = {
 """What the log says."""
 
 
-class ServeDialog(QDialog):
+class ServeDialog(QtWidgets.QDialog):
     """Shows the server, which goes on when this is closed.
 
     Parameters
@@ -73,7 +64,7 @@ class ServeDialog(QDialog):
         sections: Callable[[], Sections],
         settings: QSettings,
         files: FileAsker,
-        parent: QWidget,
+        parent: QtWidgets.QWidget,
     ) -> None:
         super().__init__(parent)
         self._server, self._in_hand, self._settings = server, preset, settings
@@ -82,13 +73,13 @@ class ServeDialog(QDialog):
         self.setMinimumWidth(WIDTH)
         self.preset = PresetChoice(name, sections, files)
         self.host = choice(((tr(words), host) for host, words in HOSTS.items()), tr("Address"))
-        self.port = named(QSpinBox(), tr("Port"), tr("TCP port; 0 lets the system choose a free one"))
+        self.port = named(QtWidgets.QSpinBox(), tr("Port"), tr("TCP port; 0 lets the system choose a free one"))
         self.port.setRange(0, 65_535)
-        self.needs_token = QCheckBox(tr("Clients need a token"))
-        self.token = named(QLineEdit(), tr("Token"), tr("16 to 256 letters, digits or . _ ~ -"))
-        self.copy, self.renew = QPushButton(tr("Copy")), QPushButton(tr("New"))
+        self.needs_token = QtWidgets.QCheckBox(tr("Clients need a token"))
+        self.token = named(QtWidgets.QLineEdit(), tr("Token"), tr("16 to 256 letters, digits or . _ ~ -"))
+        self.copy, self.renew = QtWidgets.QPushButton(tr("Copy")), QtWidgets.QPushButton(tr("New"))
         self.state = label(wraps=True)
-        self.log = named(QPlainTextEdit(), tr("Log"))
+        self.log = named(QtWidgets.QPlainTextEdit(), tr("Log"))
         self._fill()
         self._lay_out()
         self._connect()
@@ -134,7 +125,7 @@ class ServeDialog(QDialog):
             self._tell(activity)
 
     def _lay_out(self) -> None:
-        form = QFormLayout(self)
+        form = QtWidgets.QFormLayout(self)
         form.addRow(heading(tr("Recognise speech for other programs")))
         words = tr(
             "Streams and files of other programs are recognised with this preset. The server runs until it is "

@@ -5,17 +5,8 @@ from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QSettings, Qt, Signal
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QDialog,
-    QFormLayout,
-    QLineEdit,
-    QListWidget,
-    QListWidgetItem,
-    QPushButton,
-    QWidget,
-)
 from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import table_title, tr_engine
@@ -57,7 +48,7 @@ class ShipOrder:
         return ship(preset, self.folder, self.target, tables=self.tables, **choices)
 
 
-class ShipDialog(QDialog):
+class ShipDialog(QtWidgets.QDialog):
     """Asks what is shipped.
 
     Parameters
@@ -79,7 +70,12 @@ class ShipDialog(QDialog):
     ordered = Signal(object)
 
     def __init__(
-        self, preset: Preset, sections: Callable[[], Sections], settings: QSettings, files: FileAsker, parent: QWidget
+        self,
+        preset: Preset,
+        sections: Callable[[], Sections],
+        settings: QSettings,
+        files: FileAsker,
+        parent: QtWidgets.QWidget,
     ) -> None:
         super().__init__(parent)
         self._in_hand, self._settings, self._files = preset, settings, files
@@ -89,10 +85,10 @@ class ShipDialog(QDialog):
         self.preset = PresetChoice(preset.name, sections, files)
         self.note = label(wraps=True)
         self.target = choice(((tr(target.words), name) for name, target in TARGETS.items()), tr("Target"))
-        self.tables = named(QListWidget(), tr("Mouth tables"))
-        self.folder, self.choose = named(QLineEdit(), tr("Folder")), QPushButton(tr("Choose…"))
-        self.embed = QCheckBox(tr("Preset as a C array, too (preset.c)"))
-        self.overwrite = QCheckBox(tr("Overwrite changed files"))
+        self.tables = named(QtWidgets.QListWidget(), tr("Mouth tables"))
+        self.folder, self.choose = named(QtWidgets.QLineEdit(), tr("Folder")), QtWidgets.QPushButton(tr("Choose…"))
+        self.embed = QtWidgets.QCheckBox(tr("Preset as a C array, too (preset.c)"))
+        self.overwrite = QtWidgets.QCheckBox(tr("Overwrite changed files"))
         self._fill()
         self._lay_out()
 
@@ -117,7 +113,7 @@ class ShipDialog(QDialog):
     def _fill(self) -> None:
         self.target.setCurrentIndex(max(0, self.target.findData(read(self._settings, "ship/target", "c"))))
         for name in shipped_tables():
-            item = QListWidgetItem(table_title(name), self.tables)
+            item = QtWidgets.QListWidgetItem(table_title(name), self.tables)
             item.setData(NAME, name)
             item.setCheckState(CHECKED if name in USUAL_TABLES else Qt.CheckState.Unchecked)
         self.folder.setText(read(self._settings, "folder/ship", ""))
@@ -131,7 +127,7 @@ class ShipDialog(QDialog):
             ),
             wraps=True,
         )
-        form = QFormLayout(self)
+        form = QtWidgets.QFormLayout(self)
         form.addRow(tr("Preset"), self.preset)
         form.addRow("", self.note)
         form.addRow(tr("Target"), self.target)

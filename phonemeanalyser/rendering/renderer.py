@@ -7,21 +7,10 @@ from typing import Any
 import moderngl
 import numpy as np
 
-from phonemeanalyser.rendering import RenderingError
+from phonemeanalyser.rendering import RenderingError, passes
 from phonemeanalyser.rendering.camera import Camera, NeckPivot, rotation_of
 from phonemeanalyser.rendering.light import LIGHT, BoundingSphere, Light, direction_of
 from phonemeanalyser.rendering.materials import KINDS, MaterialPass, draw_calls_of
-from phonemeanalyser.rendering.passes import (
-    Backdrop,
-    Canvas,
-    EdgeSmoothing,
-    Shadow,
-    ambient_occlusion,
-    fields_of,
-    program_of,
-    set_uniforms,
-    taps_of,
-)
 from phonemeanalyser.rendering.surface import Surface, specular_mask
 from phonemeanalyser.rendering.textures import with_pixels
 from phonemeengine.arrays import Float32Array
@@ -78,7 +67,7 @@ class RenderQuality:
     @property
     def constants(self) -> str:
         """What fragment shaders know of it."""
-        return taps_of(self.taps, self.penumbra)
+        return passes.taps_of(self.taps, self.penumbra)
 
 
 QUICK, FINE = RenderQuality("quick", 0, 384, 2, 0.0025), RenderQuality("fine", 4, 1024, 8, 0.0055)
@@ -109,17 +98,17 @@ class HeadRenderer:
             raise RenderingError("the mesh has no triangles, so there is nothing to be seen; choose another one")
         self._room = BoundingSphere.around(morph_mesh.mesh)
         self._surface, self._neck = Surface(morph_mesh.mesh), NeckPivot.of(morph_mesh.mesh)
-        self._canvases = {finish: Canvas(context, finish.samples) for finish in (QUICK, FINE)}
-        self._shadows: dict[RenderQuality, Shadow] = {}
+        self._canvases = {finish: passes.Canvas(context, finish.samples) for finish in (QUICK, FINE)}
+        self._shadows: dict[RenderQuality, passes.Shadow] = {}
         self._moving = context.buffer(reserve=len(morph_mesh.mesh) * 24, dynamic=True)
         self._looks = context.buffer(reserve=len(morph_mesh.mesh) * 20)
         order, self._calls = draw_calls_of(self._mesh)
         self._corners = context.buffer(self._mesh.triangles[order].astype("u4").tobytes())
         self._places = context.buffer(self._mesh.uvs.astype("f4").tobytes())
-        self._programs = {name: program_of(context, *shaders) for name, shaders in PROGRAMS.items()}
+        self._programs = {name: passes.program_of(context, *shaders) for name, shaders in PROGRAMS.items()}
         for finish in (QUICK, FINE):
-            self._programs[finish.name] = program_of(context, "head", "head", finish.constants)
-        self._backdrop, self._smoothing = Backdrop(context), EdgeSmoothing(context)
+            self._programs[finish.name] = passes.program_of(context, "head", "head", finish.constants)
+        self._backdrop, self._smoothing = passes.Backdrop(context), passes.EdgeSmoothing(context)
         self._arrays = {name: self._array_of(program) for name, program in self._programs.items()}
         self._materials = MaterialPass(context, self._array_of)
         self._look_at_mesh()
@@ -202,10 +191,12 @@ class HeadRenderer:
         mesh = self._mesh
         self._move(mesh.positions)
         self._context.enable_only(moderngl.DEPTH_TEST)
-        set_uniforms(
+        passes.set_uniforms(
             self._programs["shadow"], {"turn": np.eye(3), "pivot": self._neck.pivot, "stem": self._neck.stem}
         )
-        openness = ambient_occlusion(self._context, self._arrays["shadow"], mesh, self._n_corners(AlphaMode.BLEND))
+        openness = passes.ambient_occlusion(
+            self._context, self._arrays["shadow"], mesh, self._n_corners(AlphaMode.BLEND)
+        )
         looks = np.column_stack((np.square(mesh.colours), specular_mask(mesh), openness))
         self._looks.write(looks.astype("f4").tobytes())
 
@@ -221,7 +212,7 @@ class HeadRenderer:
 
     def _cast_shadow(self, finish: RenderQuality, lit: dict[str, Any]) -> None:
         if finish not in self._shadows:
-            self._shadows[finish] = Shadow(self._context, finish.shadow)
+            self._shadows[finish] = passes.Shadow(self._context, finish.shadow)
         self._shadows[finish].open()
         if opaque := self._n_corners(AlphaMode.MASK):
             self._arrays["shadow"].render(vertices=opaque)
@@ -256,7 +247,7 @@ class HeadRenderer:
 
     def _draw_wires(self, background: Colour) -> None:
         """Draw the edges that nothing hides: the skin itself has the colour of the background."""
-        set_uniforms(self._programs["plain"], {"paint": background})
+        passes.set_uniforms(self._programs["plain"], {"paint": background})
         self._context.polygon_offset = 1.0, 1.0
         self._arrays["plain"].render()
         self._context.polygon_offset = 0.0, 0.0
@@ -270,7 +261,7 @@ class HeadRenderer:
             (self._looks, {"in_colour": "3f", "in_wetness": "1f", "in_openness": "1f"}),
             (self._places, {"in_place": "2f"}),
         ]
-        parts = [fields_of(buffer, fields, set(program)) for buffer, fields in buffers]
+        parts = [passes.fields_of(buffer, fields, set(program)) for buffer, fields in buffers]
         used = [part for part in parts if len(part) > 2]
         return self._context.vertex_array(program, used, self._corners, index_element_size=4)
 
@@ -289,11 +280,11 @@ class HeadRenderer:
         seen = turning | {"camera": view.T}
         exposure = EXPOSURES[bool(self._mesh.materials)]
         lit = seen | lights | {"lift": LIFT * self._room.radius, "exposure": exposure}
-        set_uniforms(self._programs[finish.name], lit)
-        set_uniforms(self._programs["plain"], seen)
-        set_uniforms(self._programs["inside"], seen | {"paint": INSIDE, "eye": camera.eye})
-        set_uniforms(self._programs["wire"], seen | {"paint": LINES[sum(background) < 1.5]})
-        set_uniforms(self._programs["shadow"], turning | {"camera": lights["key_view"]})
+        passes.set_uniforms(self._programs[finish.name], lit)
+        passes.set_uniforms(self._programs["plain"], seen)
+        passes.set_uniforms(self._programs["inside"], seen | {"paint": INSIDE, "eye": camera.eye})
+        passes.set_uniforms(self._programs["wire"], seen | {"paint": LINES[sum(background) < 1.5]})
+        passes.set_uniforms(self._programs["shadow"], turning | {"camera": lights["key_view"]})
         return lit
 
 

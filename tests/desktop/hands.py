@@ -8,20 +8,10 @@ import numpy as np
 import pyqtgraph as pg
 import soundfile
 from numpy.typing import NDArray
+from PySide6 import QtWidgets
 from PySide6.QtCore import QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QColor, QImage, QWheelEvent, qGray
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QAbstractSpinBox,
-    QApplication,
-    QDialog,
-    QDockWidget,
-    QMenu,
-    QMessageBox,
-    QToolButton,
-    QWidget,
-)
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
@@ -69,7 +59,7 @@ def wav(folder: Path, sound: NDArray[np.float32], name: str = "sound.wav") -> Pa
     return folder / name
 
 
-def menu(window: MainWindow, title: str) -> QMenu:
+def menu(window: MainWindow, title: str) -> QtWidgets.QMenu:
     """Find a menu by its title."""
     return next(action.menu() for action in window.menuBar().actions() if action.text() == title)
 
@@ -79,14 +69,18 @@ def edits(window: MainWindow) -> list[str]:
     return [action.text() for action in menu(window, "&Edit").actions() if action.isEnabled()]
 
 
-def click(widget: QWidget, x: float | None = None) -> None:
+def click(widget: QtWidgets.QWidget, x: float | None = None) -> None:
     """Click on a widget's middle, or on x of it; of a check box, on its box."""
     if x is None:
-        x = 8 if isinstance(widget, QAbstractButton) and not isinstance(widget, QToolButton) else widget.width() / 2
+        x = (
+            8
+            if isinstance(widget, QtWidgets.QAbstractButton) and not isinstance(widget, QtWidgets.QToolButton)
+            else widget.width() / 2
+        )
     QTest.mouseClick(widget, LEFT, pos=QPoint(round(x), widget.height() // 2))
 
 
-def drag(widget: QWidget, start: float, end: float, steps: int = 5) -> None:
+def drag(widget: QtWidgets.QWidget, start: float, end: float, steps: int = 5) -> None:
     """Drag along a widget, from x to x."""
     middle = widget.height() // 2
     QTest.mousePress(widget, LEFT, pos=QPoint(round(start), middle))
@@ -95,9 +89,11 @@ def drag(widget: QWidget, start: float, end: float, steps: int = 5) -> None:
     QTest.mouseRelease(widget, LEFT, pos=QPoint(round(end), middle))
 
 
-def press(window: QWidget, key: Qt.Key, modifier: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier) -> None:
+def press(
+    window: QtWidgets.QWidget, key: Qt.Key, modifier: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier
+) -> None:
     """Press a key, wherever the focus is."""
-    QTest.keyClick(QApplication.focusWidget() or window, key, modifier)
+    QTest.keyClick(QtWidgets.QApplication.focusWidget() or window, key, modifier)
 
 
 def answer(button: str) -> list[str]:
@@ -105,8 +101,8 @@ def answer(button: str) -> list[str]:
     told: list[str] = []
 
     def press_it() -> None:
-        box = QApplication.activeModalWidget()
-        if not isinstance(box, QMessageBox):
+        box = QtWidgets.QApplication.activeModalWidget()
+        if not isinstance(box, QtWidgets.QMessageBox):
             QTimer.singleShot(10, press_it)
             return
         told.append(box.text())
@@ -127,25 +123,25 @@ class DialogHand:
     """
 
     def __init__(self) -> None:
-        self.act: Callable[[Any], object] = QDialog.reject
+        self.act: Callable[[Any], object] = QtWidgets.QDialog.reject
         self.titles: list[str] = []
         self.texts: list[str] = []
-        self._known = [QApplication.activeModalWidget()]
+        self._known = [QtWidgets.QApplication.activeModalWidget()]
         self._timer = QTimer(interval=5)
         self._timer.timeout.connect(self._look)
         self._timer.start()
 
-    def press(self, button: QMessageBox.StandardButton) -> None:
+    def press(self, button: QtWidgets.QMessageBox.StandardButton) -> None:
         """Have a button of the next message boxes be pressed."""
         self.act = lambda box: box.button(button).click()
 
     def _look(self) -> None:
-        dialog = QApplication.activeModalWidget()
-        if not isinstance(dialog, QDialog) or any(dialog is known for known in self._known):
+        dialog = QtWidgets.QApplication.activeModalWidget()
+        if not isinstance(dialog, QtWidgets.QDialog) or any(dialog is known for known in self._known):
             return
         self._known.append(dialog)
         self.titles.append(dialog.windowTitle())
-        if isinstance(dialog, QMessageBox):
+        if isinstance(dialog, QtWidgets.QMessageBox):
             self.texts.append(dialog.text())
         try:
             self.act(dialog)
@@ -169,24 +165,24 @@ NOTHING_HELD = Qt.KeyboardModifier.NoModifier
 
 
 def turn_wheel(
-    widget: QWidget, notches: int, at: QPointF | None = None, held: Qt.KeyboardModifier = NOTHING_HELD
+    widget: QtWidgets.QWidget, notches: int, at: QPointF | None = None, held: Qt.KeyboardModifier = NOTHING_HELD
 ) -> bool:
     """Turn the wheel over a place, the middle unless told otherwise; return whether the widget took it for itself."""
     place = QPointF(widget.rect().center()) if at is None else at
     turn, released, phase = QPoint(0, 120 * notches), Qt.MouseButton.NoButton, Qt.ScrollPhase.NoScrollPhase
     event = QWheelEvent(place, widget.mapToGlobal(place), QPoint(), turn, released, held, phase, False)
-    QApplication.sendEvent(widget, event)
+    QtWidgets.QApplication.sendEvent(widget, event)
     return event.isAccepted()
 
 
 def settle() -> None:
     """Let the window lay itself out and paint: all that waits in the event loop is done."""
     for _ in range(5):
-        QApplication.sendPostedEvents()
-        QApplication.processEvents()
+        QtWidgets.QApplication.sendPostedEvents()
+        QtWidgets.QApplication.processEvents()
 
 
-def type_number(box: QAbstractSpinBox, text: str) -> None:
+def type_number(box: QtWidgets.QAbstractSpinBox, text: str) -> None:
     """Click into a number, replace it, and press Return."""
     click(box.lineEdit(), 4)
     box.selectAll()
@@ -194,9 +190,9 @@ def type_number(box: QAbstractSpinBox, text: str) -> None:
     QTest.keyClick(box, Qt.Key.Key_Return)
 
 
-def button(view: QWidget, text: str) -> QToolButton:
+def button(view: QtWidgets.QWidget, text: str) -> QtWidgets.QToolButton:
     """Find a button by what is written on it."""
-    return next(b for b in view.findChildren(QToolButton) if b.text() == text)
+    return next(b for b in view.findChildren(QtWidgets.QToolButton) if b.text() == text)
 
 
 def hover(graphics: pg.GraphicsView, plot: Any, x: float, y: float) -> None:
@@ -214,10 +210,10 @@ def copied(menu: PlotMenu, at: QPoint) -> list[list[str]]:
     """Copy the values that a plot's menu offers at a point, and give their cells; the first row is the header."""
     menu.at = at
     choose(menu, "Copy Values")
-    return [line.split("\t") for line in QApplication.clipboard().text().splitlines()]
+    return [line.split("\t") for line in QtWidgets.QApplication.clipboard().text().splitlines()]
 
 
-def choose(menu: QMenu, entry: str) -> None:
+def choose(menu: QtWidgets.QMenu, entry: str) -> None:
     """Choose an entry of a menu."""
     next(action for action in menu.actions() if action.text() == entry).trigger()
 
@@ -274,8 +270,8 @@ class TimeEyes:
         return [(qGray(self.colour(self.sonagram, seconds, y).rgb()), y) for y in places]
 
 
-def lies_behind(widget: QWidget | None) -> bool:
+def lies_behind(widget: QtWidgets.QWidget | None) -> bool:
     """Whether a widget is in a dock that lies behind another: Qt leaves that one visible, outside the window."""
-    while widget is not None and not isinstance(widget, QDockWidget):
+    while widget is not None and not isinstance(widget, QtWidgets.QDockWidget):
         widget = widget.parentWidget()
     return widget is not None and widget.geometry().right() < 0

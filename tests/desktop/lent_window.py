@@ -8,25 +8,10 @@ from functools import cache
 from pathlib import Path
 
 import pyqtgraph as pg
+from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QSettings
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QApplication,
-    QComboBox,
-    QDialog,
-    QDockWidget,
-    QLabel,
-    QLineEdit,
-    QMenu,
-    QScrollBar,
-    QSlider,
-    QSplitter,
-    QStackedWidget,
-    QToolButton,
-    QWidget,
-)
 
 from phonemeanalyser.desktop.analyse.spectra.frame_views import SOFTEST
 from phonemeanalyser.desktop.app import Desktop
@@ -50,18 +35,18 @@ from tests.desktop.studio import Studio
 from tests.waiting import wait_for
 
 SEEN: dict[type, tuple[str, ...]] = {
-    QWidget: ("isHidden", "isEnabled"),
-    QAbstractButton: ("text", "isChecked"),
-    QSlider: ("value",),
-    QComboBox: ("currentIndex", "currentText", "count"),
-    QLabel: ("text",),
-    QLineEdit: ("text",),
-    QStackedWidget: ("currentIndex",),
-    QSplitter: ("sizes",),
+    QtWidgets.QWidget: ("isHidden", "isEnabled"),
+    QtWidgets.QAbstractButton: ("text", "isChecked"),
+    QtWidgets.QSlider: ("value",),
+    QtWidgets.QComboBox: ("currentIndex", "currentText", "count"),
+    QtWidgets.QLabel: ("text",),
+    QtWidgets.QLineEdit: ("text",),
+    QtWidgets.QStackedWidget: ("currentIndex",),
+    QtWidgets.QSplitter: ("sizes",),
     QAction: ("text", "isChecked", "isEnabled", "isVisible"),
 }
 """What tells, of each kind of things, that somebody changed it."""
-APART = QMenu, QLineEdit, HeadView
+APART = QtWidgets.QMenu, QtWidgets.QLineEdit, HeadView
 """What they hold is no part of the looks: what a menu hides until it was opened once, what fades, and a head."""
 SIZE = 1280, 800
 LAYOUT = {"geometry", "layout", "layout_width", "layout_stacked", "rows", "spectra"}
@@ -112,7 +97,7 @@ class WindowLender:
             lent = lent if self._whole else None
             self._whole = True
         if lent is not None:
-            app = QApplication.instance()
+            app = QtWidgets.QApplication.instance()
             use_language(app, "en")
             apply_theme(app, lent.window.theme)  # both may be those of another window
             for whole in (False, True):  # what the first hides leaves its room to others with the second's events
@@ -142,22 +127,25 @@ class WindowLender:
         _show(desktop.window)
         for page in (CALIBRATE, TALK, ANALYSE) if self._whole else ():
             desktop.window.show_page(page)
-            QApplication.processEvents()
-        for dock in desktop.window.findChildren(QDockWidget):
+            QtWidgets.QApplication.processEvents()
+        for dock in desktop.window.findChildren(QtWidgets.QDockWidget):
             dock.raise_()  # it lays itself out when it is seen for the first time
-            QApplication.processEvents()
+            QtWidgets.QApplication.processEvents()
         self.studio.model.refresh_devices()
         if self._whole:
-            wait_for(lambda: not (QApplication.processEvents() or desktop.talking.face.states is None), "the head")
+            wait_for(
+                lambda: not (QtWidgets.QApplication.processEvents() or desktop.talking.face.states is None),
+                "the head",
+            )
         desktop.window.reset_layout()
-        QApplication.processEvents()
+        QtWidgets.QApplication.processEvents()
         menus = desktop.window.menus.actions
         self._checked = {text: action.isChecked() for text, action in menus.items()}
         desktop.window.save_state()
         self._layout = desktop.window.saveState()
         self._ways = desktop.files.show, desktop.session.playback.open_device
         self._learn = desktop.calibration.guide.learn if self._whole else None
-        self._sizes = [splitter.sizes() for splitter in desktop.window.findChildren(QSplitter)]
+        self._sizes = [splitter.sizes() for splitter in desktop.window.findChildren(QtWidgets.QSplitter)]
         self._usual = {name: value for name, value in _choices(self.settings).items() if name not in LAYOUT}
         self._tidy(desktop)
         self._clean = _looks(desktop)  # no test has changed anything yet
@@ -185,11 +173,12 @@ class WindowLender:
         window.redraw.refresh_all()
         wait_for(lambda: _is_at_rest(desktop), "the window")
         for _ in range(3):
-            QApplication.processEvents()  # what hides leaves its room to its parent, which then does so to the page
-        for splitter, sizes in zip(window.findChildren(QSplitter), self._sizes, strict=False):
+            # what hides leaves its room to its parent, which then does so to the page
+            QtWidgets.QApplication.processEvents()
+        for splitter, sizes in zip(window.findChildren(QtWidgets.QSplitter), self._sizes, strict=False):
             splitter.setSizes(sizes)
         window.analysis.variable.phonemes.clear()  # it tells sooner or later that nothing is measured
-        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        QtWidgets.QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         _choose(self.settings, self._first)
         draw(window, self._draws)
 
@@ -211,7 +200,7 @@ class WindowLender:
             for place in (self._folder / "no takes", folder):  # a project that is open would not be opened again
                 shutil.rmtree(place, ignore_errors=True)
                 model.takes.open(place)
-                wait_for(lambda: not (QApplication.processEvents() or model.takes.busy), "the takes")
+                wait_for(lambda: not (QtWidgets.QApplication.processEvents() or model.takes.busy), "the takes")
         model.takes.speaker = ""
         page.takes.speaker.clear()
         bench = page.workbench
@@ -243,7 +232,7 @@ def _leave_talk(desktop: Desktop) -> None:
 
 def _is_at_rest(desktop: Desktop) -> bool:
     """Let events come, and return whether all is measured that they ask for."""
-    QApplication.processEvents()
+    QtWidgets.QApplication.processEvents()
     session, talking = desktop.session, desktop.talking
     return not (session.busy or session.score.busy or talking.text.busy or talking.face.busy)
 
@@ -258,16 +247,16 @@ def _choose(settings: QSettings, choices: dict[str, object]) -> None:
         settings.setValue(name, value)
 
 
-def draw(window: QWidget, on: bool) -> None:
+def draw(window: QtWidgets.QWidget, on: bool) -> None:
     """Have a window drawn, or not."""
     window.setUpdatesEnabled(on)
     if on:  # Qt drops a request to paint while updates are off, and asks no second time for what is marked already
-        QApplication.postEvent(window, QEvent(QEvent.Type.UpdateRequest))
+        QtWidgets.QApplication.postEvent(window, QEvent(QEvent.Type.UpdateRequest))
 
 
 def close_popups() -> None:
     """Close what a test left open over all windows: it gets their keys, and no window becomes active meanwhile."""
-    while (popup := QApplication.activePopupWidget()) is not None:
+    while (popup := QtWidgets.QApplication.activePopupWidget()) is not None:
         popup.hide()
 
 
@@ -277,7 +266,7 @@ def _show(window: MainWindow) -> None:
     window.activateWindow()
     QTest.qWaitForWindowActive(window)
     if not window.isActiveWindow():  # it came to the front while a popup was open, of which Qt takes no note
-        other = QWidget()
+        other = QtWidgets.QWidget()
         other.show()
         QTest.qWaitForWindowActive(other)
         other.close()
@@ -324,11 +313,11 @@ def _show_usual(window: MainWindow, checked: dict[str, bool]) -> None:
     window.preset_box.list.for_other = False
     window.redraw.timer.start()
     for view in window.findChildren(pg.GraphicsView):
-        QApplication.sendEvent(view.parentWidget(), QEvent(QEvent.Type.Leave))
+        QtWidgets.QApplication.sendEvent(view.parentWidget(), QEvent(QEvent.Type.Leave))
     for menu in window.findChildren(PlotMenu):
         for reset in (action for action in menu.actions() if action.text() == "Reset Zoom"):
             reset.trigger()
-    for dialog in window.findChildren(QDialog):
+    for dialog in window.findChildren(QtWidgets.QDialog):
         dialog.deleteLater()
     _show_from_the_beginning(window)
 
@@ -343,7 +332,7 @@ def _show_from_the_beginning(window: MainWindow) -> None:
     page.rules.phoneme.setCurrentIndex(0)
     page.rules.phoneme.activated.emit(0)
     page.rules.tree.setCurrentItem(None)
-    for bar in window.findChildren(QScrollBar):
+    for bar in window.findChildren(QtWidgets.QScrollBar):
         bar.setValue(bar.minimum())
     page.main_view.setFocus()
 
@@ -353,7 +342,7 @@ def _looks(desktop: Desktop) -> Counter[object]:
     window, session, preset = desktop.window, desktop.session, desktop.preset
     found: Counter[object] = Counter(
         _looks_of(child)
-        for child in (window, *window.findChildren(QWidget), *window.findChildren(QAction))
+        for child in (window, *window.findChildren(QtWidgets.QWidget), *window.findChildren(QAction))
         if not child.objectName().startswith("qt_")
         and not (child.isWidgetType() and _is(type(child.parent()), APART))
     )
@@ -371,11 +360,11 @@ def _looks(desktop: Desktop) -> Counter[object]:
     return found
 
 
-def _looks_of(child: QWidget | QAction) -> tuple[object, ...]:
+def _looks_of(child: QtWidgets.QWidget | QAction) -> tuple[object, ...]:
     """Return what is seen of something; what is hidden, or off, gets its text or its choice when it is shown."""
     kind = type(child)
     names, rests_where = _names_of(kind)
-    seen = [getattr(child, name)() for name in (SEEN[QWidget] if rests_where(child) else names)]
+    seen = [getattr(child, name)() for name in (SEEN[QtWidgets.QWidget] if rests_where(child) else names)]
     kept = frozenset(
         (name, value) for name, value in vars(child).items() if _is(type(value), (bool, str, Enum, Path))
     )
@@ -386,11 +375,13 @@ _is = cache(issubclass)  # Qt's objects answer `isinstance` slowly
 
 
 @cache
-def _names_of(kind: type) -> tuple[tuple[str, ...], Callable[[QWidget], bool]]:
+def _names_of(kind: type) -> tuple[tuple[str, ...], Callable[[QtWidgets.QWidget], bool]]:
     """Return what tells of a kind of things that it was changed, and what tells of one that it rests."""
     names = tuple(name for known, names in SEEN.items() if issubclass(kind, known) for name in names)
-    if issubclass(kind, QLabel | QToolButton):
-        return names, QWidget.isHidden
-    if issubclass(kind, QComboBox):
+    if issubclass(kind, QtWidgets.QLabel | QtWidgets.QToolButton):
+        return names, QtWidgets.QWidget.isHidden
+    if issubclass(kind, QtWidgets.QComboBox):
         return names, lambda box: not box.isEnabled()
-    return names, (lambda splitter: not splitter.isVisible()) if issubclass(kind, QSplitter) else lambda _other: False
+    return names, (lambda splitter: not splitter.isVisible()) if issubclass(
+        kind, QtWidgets.QSplitter
+    ) else lambda _other: False

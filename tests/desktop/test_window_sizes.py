@@ -3,21 +3,8 @@
 from itertools import product
 
 import pytest
+from PySide6 import QtWidgets
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QAbstractSpinBox,
-    QComboBox,
-    QDockWidget,
-    QDoubleSpinBox,
-    QLabel,
-    QScrollArea,
-    QStyle,
-    QStyleOptionComboBox,
-    QTabBar,
-    QToolButton,
-    QWidget,
-)
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.calibrate.guide.guide_model import Phase
@@ -36,36 +23,42 @@ def window(desktop, qtbot):
     return shown(desktop, qtbot, None)
 
 
-def room_and_need(widget: QWidget) -> tuple[int, int]:
+def room_and_need(widget: QtWidgets.QWidget) -> tuple[int, int]:
     """The pixels that a widget has for its text, and the pixels that the longest text it may show needs."""
     advance = widget.fontMetrics().horizontalAdvance
-    if isinstance(widget, QComboBox):
-        option = QStyleOptionComboBox()
+    if isinstance(widget, QtWidgets.QComboBox):
+        option = QtWidgets.QStyleOptionComboBox()
         widget.initStyleOption(option)
-        part = QStyle.SubControl.SC_ComboBoxEditField
-        room = widget.style().subControlRect(QStyle.ComplexControl.CC_ComboBox, option, part, widget).width()
+        part = QtWidgets.QStyle.SubControl.SC_ComboBoxEditField
+        room = (
+            widget.style().subControlRect(QtWidgets.QStyle.ComplexControl.CC_ComboBox, option, part, widget).width()
+        )
         return room, max(advance(widget.itemText(k)) for k in range(widget.count()))
-    if isinstance(widget, QLabel) and widget.wordWrap():
+    if isinstance(widget, QtWidgets.QLabel) and widget.wordWrap():
         return widget.height(), widget.heightForWidth(widget.width())  # it takes lines, and no certain width
-    if isinstance(widget, QAbstractSpinBox):
+    if isinstance(widget, QtWidgets.QAbstractSpinBox):
         return widget.lineEdit().width(), advance(widget.text()) + 3
-    if isinstance(widget, QToolButton) and widget.text() == "↺":
+    if isinstance(widget, QtWidgets.QToolButton) and widget.text() == "↺":
         return widget.width(), advance("↺") + 4  # the arrow alone, without the frame that it shows under the mouse
     return widget.width(), widget.sizeHint().width()
 
 
-def texts(window) -> list[QWidget]:
-    kinds = QLabel | QAbstractButton | QComboBox | QAbstractSpinBox
-    return [w for w in window.findChildren(QWidget) if isinstance(w, kinds) and w.isVisible() and not lies_behind(w)]
+def texts(window) -> list[QtWidgets.QWidget]:
+    kinds = QtWidgets.QLabel | QtWidgets.QAbstractButton | QtWidgets.QComboBox | QtWidgets.QAbstractSpinBox
+    return [
+        w
+        for w in window.findChildren(QtWidgets.QWidget)
+        if isinstance(w, kinds) and w.isVisible() and not lies_behind(w)
+    ]
 
 
-def clipped(widgets: list[QWidget]) -> dict[str, tuple[int, int]]:
+def clipped(widgets: list[QtWidgets.QWidget]) -> dict[str, tuple[int, int]]:
     """Give what has less room than it needs."""
     return {name_of(w): (room, need) for w in widgets for room, need in (room_and_need(w),) if room < need}
 
 
-def name_of(widget: QWidget) -> str:
-    text = widget.currentText() if isinstance(widget, QComboBox) else widget.text()
+def name_of(widget: QtWidgets.QWidget) -> str:
+    text = widget.currentText() if isinstance(widget, QtWidgets.QComboBox) else widget.text()
     return f"{type(widget).__name__} {text or widget.toolTip()}"
 
 
@@ -90,7 +83,7 @@ def test_every_text_has_room_lies_inside_its_parent_and_on_nothing_else(desktop,
         window.filters.fields["intensity_low"].setValue(-120)
         window.analysis.thresholds.rows["silence_zero_crossings"].number.setValue(2047)
         window.analysis.thresholds.rows["p_energy_n"].number.setValue(256)
-        assert clipped([w for w in texts(window) if isinstance(w, QDoubleSpinBox)]) == {}
+        assert clipped([w for w in texts(window) if isinstance(w, QtWidgets.QDoubleSpinBox)]) == {}
 
 
 def test_the_window_fits_on_a_small_screen_even_with_a_banner_and_curves(desktop, qtbot, tmp_path):
@@ -126,7 +119,9 @@ def test_every_page_fits_on_a_small_screen_whatever_is_heard(window, desktop, qt
         qtbot.waitUntil(lambda: (window.width(), window.height()) == SMALLEST)
         settle()
         assert not bar.visibleRegion().isEmpty()
-        in_bar = [w for w in bar.findChildren(QWidget) if w.isVisible() and w.parentWidget() in (bar, bar.tone)]
+        in_bar = [
+            w for w in bar.findChildren(QtWidgets.QWidget) if w.isVisible() and w.parentWidget() in (bar, bar.tone)
+        ]
         assert [w for w in in_bar if not w.parentWidget().rect().contains(w.geometry())] == [], kind
         assert clipped(texts(bar)) == {}, kind
     # tabs of the calibration can be scrolled where they are narrow
@@ -146,9 +141,9 @@ def test_every_page_fits_on_a_small_screen_whatever_is_heard(window, desktop, qt
         qtbot.waitUntil(lambda: fits(window))
 
 
-def is_seen(area: QScrollArea) -> bool:
+def is_seen(area: QtWidgets.QScrollArea) -> bool:
     """Say whether something of it is on the screen: it lies behind no other dock."""
-    return any(not widget.visibleRegion().isEmpty() for widget in (area, *area.findChildren(QWidget)))
+    return any(not widget.visibleRegion().isEmpty() for widget in (area, *area.findChildren(QtWidgets.QWidget)))
 
 
 @pytest.mark.usefixtures("own_desktop")
@@ -162,14 +157,14 @@ def test_nothing_scrolls_sideways_at_any_size_with_any_recogniser(settings, requ
         window.show_page(page)
         window.resize(*size)
         settle()
-        seen = [area for area in window.findChildren(QScrollArea) if is_seen(area)]
+        seen = [area for area in window.findChildren(QtWidgets.QScrollArea) if is_seen(area)]
         assert seen
         for area in seen:
             assert area.widget().width() <= area.viewport().width(), (preset, size, page, area.accessibleName())
     for column in (window.filters, window.analysis.thresholds):
         needed = column.widget().minimumSizeHint().width() + column.verticalScrollBar().sizeHint().width()
         assert column.minimumWidth() >= needed
-    around_visemes = [a for a in window.findChildren(QScrollArea) if a.isAncestorOf(window.talk.visemes)]
+    around_visemes = [a for a in window.findChildren(QtWidgets.QScrollArea) if a.isAncestorOf(window.talk.visemes)]
     assert len(around_visemes) == 2
 
 
@@ -182,7 +177,7 @@ def test_a_window_opens_within_the_screen_and_a_narrow_one_has_the_filters_behin
     window.resize(1016, 700)
     window.show()
     qtbot.waitExposed(window)
-    filters, thresholds = (window.findChild(QDockWidget, name) for name in ("Filters", "Thresholds"))
+    filters, thresholds = (window.findChild(QtWidgets.QDockWidget, name) for name in ("Filters", "Thresholds"))
     assert filters in window.tabifiedDockWidgets(thresholds)
     qtbot.waitUntil(lambda: not thresholds.visibleRegion().isEmpty())
     window.show_page(1)
@@ -209,7 +204,7 @@ def test_all_docks_are_seen_give_way_when_the_window_becomes_narrow_and_come_bac
         assert view.height() >= 30
     assert page.waveform.graphics.height() >= 90
     assert page.spectrum.graphics.height() >= 120
-    filters, thresholds = (window.findChild(QDockWidget, name) for name in ("Filters", "Thresholds"))
+    filters, thresholds = (window.findChild(QtWidgets.QDockWidget, name) for name in ("Filters", "Thresholds"))
     assert filters not in window.tabifiedDockWidgets(thresholds)
     width = filters.width()
     window.resize(1016, 700)
@@ -231,24 +226,24 @@ def test_a_layout_of_a_wide_window_is_changed_for_a_narrow_one_and_that_of_a_nar
     first.resize(width, 700)
     first.show()
     qtbot.waitExposed(first)
-    first.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, first.findChild(QDockWidget, "Filters"))
+    first.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, first.findChild(QtWidgets.QDockWidget, "Filters"))
     settle()
     assert first.close()
     again = Desktop(qapp, settings, lambda _n: ClockOutput())
     again.window.resize(1016, 700)
     again.window.show()
     qtbot.waitExposed(again.window)
-    filters, thresholds = (again.window.findChild(QDockWidget, name) for name in ("Filters", "Thresholds"))
+    filters, thresholds = (again.window.findChild(QtWidgets.QDockWidget, name) for name in ("Filters", "Thresholds"))
     assert (filters in again.window.tabifiedDockWidgets(thresholds)) is moved
     again.window.resize(1020, 690)  # the tab bars that Qt made before the layout was restored stay where they were
     qtbot.waitUntil(lambda: len(dock_tabs(again.window)) == 2)
-    phoneme = again.window.findChild(QDockWidget, "Phoneme").geometry()
+    phoneme = again.window.findChild(QtWidgets.QDockWidget, "Phoneme").geometry()
     places = {(tabs.x(), tabs.y(), tabs.width()) for tabs in dock_tabs(again.window)}
     assert (phoneme.x(), phoneme.bottom() + 1, phoneme.width()) in places
     again.close()
 
 
-def dock_tabs(window: QWidget) -> list[QTabBar]:
+def dock_tabs(window: QtWidgets.QWidget) -> list[QtWidgets.QTabBar]:
     """The tab bars of docks that are seen."""
     direct = Qt.FindChildOption.FindDirectChildrenOnly
-    return [tabs for tabs in window.findChildren(QTabBar, "DockTabs", direct) if tabs.isVisible()]
+    return [tabs for tabs in window.findChildren(QtWidgets.QTabBar, "DockTabs", direct) if tabs.isVisible()]

@@ -13,16 +13,7 @@ from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_count
 from phonemeanalyser.desktop.settings import keep, read
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import (
-    CANCEL,
-    choice,
-    column,
-    dialog_buttons,
-    label,
-    leave_wheel,
-    line,
-    row,
-)
+from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, audio_filters
 from phonemeanalyser.desktop.widgets.pages import PageStack
 from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
@@ -73,7 +64,7 @@ class CalibrationPage(QWidget):
     def _lay_out(self) -> None:
         self.right.addWidget(self.workbench)
         self.right.addWidget(self.guide)
-        row(self.takes, line(self._theme.line, upright=True), (self.right, 1), on=self, spacing=0)
+        builders.row(self.takes, builders.line(self._theme.line, upright=True), (self.right, 1), on=self, spacing=0)
 
 
 class MappingDialog(QDialog):
@@ -83,7 +74,7 @@ class MappingDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle(tr("Unknown Labels"))
         self.boxes: dict[str, QComboBox] = {}
-        intro = label(
+        intro = builders.label(
             tr(
                 "These labels are not known phoneme names. Choose a phoneme for each one; labels left "
                 "unidentified are not scored."
@@ -94,18 +85,20 @@ class MappingDialog(QDialog):
         grid = QGridLayout(body)
         phonemes = [(sound_name(phoneme), phoneme) for phoneme in Phoneme]
         for place, (name, count) in enumerate(sorted(counts.items(), key=lambda entry: -entry[1])):
-            words = label(name)
+            words = builders.label(name)
             words.setTextFormat(Qt.TextFormat.PlainText)
-            self.boxes[name] = box = choice(phonemes, tr("Phoneme for {name}").format(name=name))
+            self.boxes[name] = box = builders.choice(phonemes, tr("Phoneme for {name}").format(name=name))
             box.setCurrentIndex(box.findData(Phoneme.UNIDENTIFIED))
-            for k, widget in enumerate((words, label(f"{count} ×"), box)):
+            for k, widget in enumerate((words, builders.label(f"{count} ×"), box)):
                 grid.addWidget(widget, place, k)
         grid.setRowStretch(len(counts), 1)
-        leave_wheel(body)
+        builders.leave_wheel(body)
         scroll = QScrollArea()
         scroll.setWidget(body)
         scroll.setWidgetResizable(True)
-        column(intro, scroll, dialog_buttons(self, CANCEL, verb=tr("Assign")), on=self, margins=None)
+        builders.column(
+            intro, scroll, builders.dialog_buttons(self, builders.CANCEL, verb=tr("Assign")), on=self, margins=None
+        )
         self.resize(380, 420)
 
     def mapping(self) -> dict[str, Phoneme]:

@@ -12,18 +12,8 @@ from phonemeanalyser.desktop.language import tr, tr_amid, tr_noop
 from phonemeanalyser.desktop.session.undo import UndoableEdit
 from phonemeengine.errors import EngineError, RecogniserError, SettingsError
 from phonemeengine.features.variables import BUILT_IN_NAMES, Variable
+from phonemeengine.presets import files
 from phonemeengine.presets.controls import Control, ControlGroup, controls_of
-from phonemeengine.presets.files import (
-    DEFAULT_PRESET,
-    FACTORY,
-    THESIS_PRESETS,
-    beyond_phoneme_data,
-    factory_preset,
-    is_phoneme_data,
-    load_preset,
-    preset_path,
-    save_preset,
-)
 from phonemeengine.presets.model_choice import for_files, for_live_use
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
@@ -50,8 +40,8 @@ class PresetDocument:
     @classmethod
     def read(cls, path: Path) -> "PresetDocument":
         """Read a preset or PhonemeData file, or the preset of a name; EngineError where it cannot be used."""
-        path = preset_path(path)
-        preset = load_preset(path)
+        path = files.preset_path(path)
+        preset = files.load_preset(path)
         made_recogniser(preset)
         return cls(path, preset, preset)
 
@@ -101,7 +91,7 @@ class PresetModel(QObject):
     loaded = Signal()
     rejected = Signal(str)
 
-    def __init__(self, path: Path = DEFAULT_PRESET) -> None:
+    def __init__(self, path: Path = files.DEFAULT_PRESET) -> None:
         super().__init__()
         self.undo_stack = QUndoStack(self)
         self.undo_stack.indexChanged.connect(self.file_changed)
@@ -185,7 +175,7 @@ class PresetModel(QObject):
     @property
     def is_factory(self) -> bool:
         """Whether the preset's file ships with the program, and so is not to be changed."""
-        return self.path.resolve().parent == FACTORY
+        return self.path.resolve().parent == files.FACTORY
 
     def load(self, path: Path) -> None:
         """Load a preset or PhonemeData file, or the preset of a name; EngineError leaves everything as it was."""
@@ -234,7 +224,7 @@ class PresetModel(QObject):
 
     def lost_in(self, path: Path) -> tuple[str, ...]:
         """Return what saving to such a file would drop, in words; a PhonemeData file holds only the 21 numbers."""
-        return beyond_phoneme_data(self.preset) if is_phoneme_data(path) else ()
+        return files.beyond_phoneme_data(self.preset) if files.is_phoneme_data(path) else ()
 
     def save(self, path: Path) -> None:
         """Save to a file, which becomes the preset's file; EngineError leaves everything as it was.
@@ -243,8 +233,8 @@ class PresetModel(QObject):
         start, since the user chose so.
         """
         named = replace(self.preset, name=path.stem) if path != self.path else self.preset
-        save_preset(named, path)
-        before, saved = self.preset, named if self.lost_in(path) else load_preset(path)
+        files.save_preset(named, path)
+        before, saved = self.preset, named if self.lost_in(path) else files.load_preset(path)
         self.document = PresetDocument(path, named, saved)
         if named != before:
             self._use(self.document)
@@ -393,7 +383,7 @@ class PresetModel(QObject):
             source = self.document.saved
         if source is not None:
             return _joined(source, preset, source)
-        source = factory_preset(name) or replace(preset, recogniser=name)
+        source = files.factory_preset(name) or replace(preset, recogniser=name)
         own_thresholds = preset.thresholds not in _factory_thresholds()
         source = replace(source, thresholds=preset.thresholds if own_thresholds else source.thresholds)
         return _joined(source, preset, preset)
@@ -441,7 +431,7 @@ def _label_of(name: str) -> str:
 
 def _factory_thresholds() -> tuple[Thresholds, ...]:
     """Return the thresholds that no user has tuned."""
-    return Thresholds(), *(load_preset(path).thresholds for path in THESIS_PRESETS)
+    return Thresholds(), *(files.load_preset(path).thresholds for path in files.THESIS_PRESETS)
 
 
 def _joined(source: Preset, preset: Preset, first: Preset) -> Preset:

@@ -8,14 +8,7 @@ from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.execution import Progress
-from phonemeengine.inspection.whole_sound import (
-    FrameRange,
-    RetunedSound,
-    SoundTracks,
-    analyse_whole,
-    difference_in,
-    tracks_of,
-)
+from phonemeengine.inspection import whole_sound
 from phonemeengine.presets.preset import Preset
 
 MOST_AT_ONCE = 1_000_000
@@ -42,12 +35,12 @@ class WholeFile(QObject):
 
     def __init__(self) -> None:
         super().__init__()
-        self.tracks: SoundTracks | None = None
+        self.tracks: whole_sound.SoundTracks | None = None
         self.preset: Preset | None = None
-        self.in_view = FrameRange(0, 0)
+        self.in_view = whole_sound.FrameRange(0, 0)
         self._open: Callable[[], SoundReader] | None = None
         self._complete = False
-        self._again: RetunedSound | None = None
+        self._again: whole_sound.RetunedSound | None = None
         self._work = TaskQueue(self.error.emit)
         self._work.changed.connect(self.changed)
 
@@ -60,7 +53,7 @@ class WholeFile(QObject):
         """Analyse another file, whose reader is left where it is."""
         path, channel = reader.path, reader.channel
         self._open = lambda: SoundReader(path, channel)
-        self.tracks = tracks_of(reader)
+        self.tracks = whole_sound.tracks_of(reader)
         self._forget()
         self.use_preset(preset)
 
@@ -69,7 +62,7 @@ class WholeFile(QObject):
         if self._open is not other._open:
             self._open = other._open
             self._forget()
-            self.tracks = None if other.tracks is None else SoundTracks(other.tracks.n_frames)
+            self.tracks = None if other.tracks is None else whole_sound.SoundTracks(other.tracks.n_frames)
         self.use_preset(preset)
 
     def leave(self) -> None:
@@ -89,7 +82,7 @@ class WholeFile(QObject):
         self.preset, self._complete, self._again = preset, False, None
 
         def analyse(progress: Progress) -> None:
-            analyse_whole(open_sound, preset, tracks, in_view=lambda: self.in_view, progress=progress)
+            whole_sound.analyse_whole(open_sound, preset, tracks, in_view=lambda: self.in_view, progress=progress)
 
         self._work.replace(analyse, lambda _: setattr(self, "_complete", True))
 
@@ -97,13 +90,13 @@ class WholeFile(QObject):
         """Take the current file for unknown."""
         self.preset, self._complete, self._again = None, False, None
 
-    def _retuned(self, tracks: SoundTracks, preset: Preset) -> bool:
+    def _retuned(self, tracks: whole_sound.SoundTracks, preset: Preset) -> bool:
         """Recognise a file that is known whole anew without its sound, where the preset measures alike."""
         assert self.preset is not None
         if tracks.n_frames > MOST_AT_ONCE:
             return False
         if self._again is None:
-            self._again = RetunedSound(tracks, self.preset)
+            self._again = whole_sound.RetunedSound(tracks, self.preset)
         if not self._again.retune(preset):
             return False
         self.preset = preset
@@ -165,12 +158,12 @@ class SecondPreset(QObject):
             self.whole.in_view = self._used.in_view
             self.whole.follow(self._used, self._preset.other.preset)
 
-    def share_of_difference(self, frames: FrameRange) -> float | None:
+    def share_of_difference(self, frames: whole_sound.FrameRange) -> float | None:
         """Return the share of some frames in which the two differ; None without a second preset."""
         one, other = self._used.tracks, self.whole.tracks
         if not self.is_there or one is None or other is None:
             return None
-        return difference_in(one, other, frames).share
+        return whole_sound.difference_in(one, other, frames).share
 
     def close(self) -> None:
         """End all work."""

@@ -3,18 +3,8 @@
 from collections.abc import Callable
 from typing import Any
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QAbstractItemView,
-    QAbstractSpinBox,
-    QApplication,
-    QComboBox,
-    QLineEdit,
-    QPlainTextEdit,
-    QTextEdit,
-    QWidget,
-)
 from shiboken6 import isValid
 from typing_extensions import override
 
@@ -26,24 +16,31 @@ _CLIPBOARD = frozenset({Qt.Key.Key_A, Qt.Key.Key_C, Qt.Key.Key_V, Qt.Key.Key_X})
 _RETURN = frozenset({Qt.Key.Key_Return, Qt.Key.Key_Enter})
 _LEAVING = frozenset({Qt.Key.Key_Escape, Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab, Qt.Key.Key_Backtab})
 _PLAIN = (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.KeypadModifier)
-_TYPED_INTO = (QComboBox, QAbstractSpinBox, QAbstractItemView, QLineEdit, QTextEdit, QPlainTextEdit)
+_TYPED_INTO = (
+    QtWidgets.QComboBox,
+    QtWidgets.QAbstractSpinBox,
+    QtWidgets.QAbstractItemView,
+    QtWidgets.QLineEdit,
+    QtWidgets.QTextEdit,
+    QtWidgets.QPlainTextEdit,
+)
 _LETTERS_ARE_KEYS = "letters are keys"
 
 
-def give_letters_to_page(view: QAbstractItemView) -> None:
+def give_letters_to_page(view: QtWidgets.QAbstractItemView) -> None:
     """Have letters be keys of the page while a list has the focus: nothing is searched in it by typing."""
     view.setProperty(_LETTERS_ARE_KEYS, True)
 
 
-def is_typed_into(widget: QWidget | None) -> bool:
+def is_typed_into(widget: QtWidgets.QWidget | None) -> bool:
     """Return whether letters belong to a widget: text, numbers, and lists that are searched by typing."""
     return isinstance(widget, _TYPED_INTO) and not widget.property(_LETTERS_ARE_KEYS)
 
 
-def settle_focus(page: QWidget) -> None:
+def settle_focus(page: QtWidgets.QWidget) -> None:
     """Have the buttons of a page take the focus by Tab only, so that Space still plays; fields leave the wheel."""
     leave_wheel(page, by_click=False)
-    for button in page.findChildren(QAbstractButton):
+    for button in page.findChildren(QtWidgets.QAbstractButton):
         if button.focusPolicy() & Qt.FocusPolicy.ClickFocus:
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
 
@@ -83,9 +80,9 @@ class ControlKeys(QObject):
     def eventFilter(self, _watched: QObject, event: Any) -> bool:
         if event.type() != QEvent.Type.ShortcutOverride or event.modifiers() not in _PLAIN:
             return False
-        focused = QApplication.focusWidget()
+        focused = QtWidgets.QApplication.focusWidget()
         if event.key() == Qt.Key.Key_Space:
-            claimed = isinstance(focused, QAbstractButton)
+            claimed = isinstance(focused, QtWidgets.QAbstractButton)
         else:
             typed = bool(event.text()) and event.text().isprintable()
             claimed = is_typed_into(focused) and (typed or event.key() in _EDITING)
@@ -110,16 +107,16 @@ class FocusReturn(QObject):
     clicked : the user clicked into this widget, which has the focus now.
     """
 
-    clicked = Signal(QWidget)
+    clicked = Signal(QtWidgets.QWidget)
 
-    def __init__(self, window: QWidget, main_view: Callable[[], QWidget]) -> None:
+    def __init__(self, window: QtWidgets.QWidget, main_view: Callable[[], QtWidgets.QWidget]) -> None:
         super().__init__(window)
         self._window = window
         self._main_view = main_view
         self._closed_by_key = False
-        self._last: QWidget | None = None
-        application = QApplication.instance()
-        assert isinstance(application, QApplication)
+        self._last: QtWidgets.QWidget | None = None
+        application = QtWidgets.QApplication.instance()
+        assert isinstance(application, QtWidgets.QApplication)
         self._application = application
         self._application.focusChanged.connect(self._follow)
         window.installEventFilter(self)
@@ -138,7 +135,7 @@ class FocusReturn(QObject):
         """Note which key was pressed in a list of choices, and see Return, which fields of numbers pass on."""
         if watched is self._window:
             ends_number = event.type() == QEvent.Type.KeyPress and event.key() in _RETURN
-            if ends_number and isinstance(QApplication.focusWidget(), QAbstractSpinBox):
+            if ends_number and isinstance(QtWidgets.QApplication.focusWidget(), QtWidgets.QAbstractSpinBox):
                 self._main_view().setFocus()
         elif event.type() in {QEvent.Type.KeyPress, QEvent.Type.ShortcutOverride}:
             self._closed_by_key = event.key() in _LEAVING
@@ -146,10 +143,10 @@ class FocusReturn(QObject):
             self._closed_by_key = False
         return False
 
-    def _follow(self, old: QWidget | None, now: QWidget | None) -> None:
-        if now is not None and QApplication.mouseButtons() != Qt.MouseButton.NoButton:
+    def _follow(self, old: QtWidgets.QWidget | None, now: QtWidgets.QWidget | None) -> None:
+        if now is not None and QtWidgets.QApplication.mouseButtons() != Qt.MouseButton.NoButton:
             self.clicked.emit(now)
-        if now is not None and isinstance(_box_of(now), QComboBox):
+        if now is not None and isinstance(_box_of(now), QtWidgets.QComboBox):
             self._closed_by_key = False
             now.installEventFilter(self)
         elif (old is not None and self._is_left(old, now)) or self._returns_elsewhere(old, now):
@@ -157,7 +154,7 @@ class FocusReturn(QObject):
         if now is not None and now.window() is self._window:
             self._last = now
 
-    def _returns_elsewhere(self, old: QWidget | None, now: QWidget | None) -> bool:
+    def _returns_elsewhere(self, old: QtWidgets.QWidget | None, now: QtWidgets.QWidget | None) -> bool:
         """Return whether the window is active again, and what had its focus before can't have it any more."""
         last = self._last
         comes_back = (
@@ -167,7 +164,7 @@ class FocusReturn(QObject):
             return False
         return last.window() is self._window and (last.isHidden() or not last.isEnabled())
 
-    def _is_left(self, old: QWidget, now: QWidget | None) -> bool:
+    def _is_left(self, old: QtWidgets.QWidget, now: QtWidgets.QWidget | None) -> bool:
         """Return whether the focus went somewhere without the user's choice."""
         box = _box_of(old)
         if box is not None:
@@ -176,11 +173,11 @@ class FocusReturn(QObject):
         return vanished and old.window() is self._window and self._window.isActiveWindow()
 
 
-def _box_of(view: QWidget) -> QComboBox | None:
+def _box_of(view: QtWidgets.QWidget) -> QtWidgets.QComboBox | None:
     """Return the box whose list of choices a view is."""
-    container = view.parentWidget() if isinstance(view, QAbstractItemView) else None
+    container = view.parentWidget() if isinstance(view, QtWidgets.QAbstractItemView) else None
     box = container.parentWidget() if container is not None else None
-    return box if isinstance(box, QComboBox) and box.view() is view else None
+    return box if isinstance(box, QtWidgets.QComboBox) and box.view() is view else None
 
 
 def _writes_a_number(event: Any) -> bool:

@@ -4,19 +4,9 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QKeyEvent
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QFrame,
-    QHeaderView,
-    QLineEdit,
-    QPushButton,
-    QToolButton,
-    QTreeWidget,
-    QTreeWidgetItem,
-    QWidget,
-)
 from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import tr_engine
@@ -38,7 +28,7 @@ CURRENT = tr_noop("{preset} (current settings)")
 Sections = Mapping[str, Sequence[PresetEntry]]
 
 
-class PresetList(QFrame):
+class PresetList(QtWidgets.QFrame):
     """A window with all presets below a field in which one types what is searched.
 
     Return, or a click, chooses the marked line; Ctrl+Return chooses it as the other one of A and B; Escape closes.
@@ -56,15 +46,15 @@ class PresetList(QFrame):
 
     chosen = Signal(object, bool)
 
-    def __init__(self, owner: QWidget) -> None:
+    def __init__(self, owner: QtWidgets.QWidget) -> None:
         super().__init__(owner, Qt.WindowType.Popup)
-        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.setFrameShape(QtWidgets.QFrame.Shape.StyledPanel)
         self.for_other = False
-        self._groups: list[tuple[QTreeWidgetItem | None, list[QTreeWidgetItem]]] = []
-        self.search = named(QLineEdit(), tr("Search presets"))
+        self._groups: list[tuple[QtWidgets.QTreeWidgetItem | None, list[QtWidgets.QTreeWidgetItem]]] = []
+        self.search = named(QtWidgets.QLineEdit(), tr("Search presets"))
         self.search.setPlaceholderText(tr("Search presets"))
         self.search.setClearButtonEnabled(True)
-        self.entries = named(QTreeWidget(), tr("Presets"))
+        self.entries = named(QtWidgets.QTreeWidget(), tr("Presets"))
         self.entries.setColumnCount(3)
         self.entries.setHeaderHidden(True)
         self.entries.setRootIsDecorated(False)
@@ -72,9 +62,9 @@ class PresetList(QFrame):
         self.entries.setUniformRowHeights(True)
         self.entries.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.entries.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.entries.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.entries.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.SingleSelection)
         header = self.entries.header()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.ResizeToContents)
         header.setStretchLastSection(True)
         self.as_other = tool_button("", act=lambda: self._take(self.entries.currentItem(), other=True))
         self._buttons = row(self.as_other, 1, spacing=4)
@@ -87,7 +77,7 @@ class PresetList(QFrame):
     def add_commands(self, commands: Sequence[QAction]) -> None:
         """End with buttons for these."""
         for command in commands:
-            button = QToolButton()
+            button = QtWidgets.QToolButton()
             button.setDefaultAction(command)
             button.setText(command.text())  # with its ellipsis, which Qt leaves out
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
@@ -114,7 +104,7 @@ class PresetList(QFrame):
         self.search.clear()
         self._filter("")
 
-    def show_below(self, button: QWidget) -> None:
+    def show_below(self, button: QtWidgets.QWidget) -> None:
         """Open below a button, within its window and the screen, ready to type."""
         screen, frame = button.screen().availableGeometry(), button.window().geometry()
         height = self.entries.topLevelItemCount() * (self.entries.sizeHintForRow(0) + 1) + 90
@@ -139,7 +129,7 @@ class PresetList(QFrame):
                 return True
         return super().eventFilter(watched, event)
 
-    def lines(self) -> list[QTreeWidgetItem]:
+    def lines(self) -> list[QtWidgets.QTreeWidgetItem]:
         """Return the lines that can be chosen and are seen, from above."""
         return [line for _, lines in self._groups for line in lines if not line.isHidden()]
 
@@ -156,19 +146,19 @@ class PresetList(QFrame):
             here = next((k for k, line in enumerate(lines) if line is self.entries.currentItem()), 0)
             self._mark(lines[min(max(here + step, 0), len(lines) - 1)])
 
-    def _take(self, line: QTreeWidgetItem | None, *, other: bool) -> None:
+    def _take(self, line: QtWidgets.QTreeWidgetItem | None, *, other: bool) -> None:
         value = None if line is None else line.data(0, _VALUE)
         if value is not None:
             self.hide()
             self.chosen.emit(value[0], other)
 
-    def _add_group(self, heading: str, lines: list[QTreeWidgetItem]) -> None:
+    def _add_group(self, heading: str, lines: list[QtWidgets.QTreeWidgetItem]) -> None:
         """Add lines, below a heading that can't be chosen where it has words."""
         if not lines:
             return
         above = None
         if heading:
-            above = QTreeWidgetItem(self.entries, [heading])
+            above = QtWidgets.QTreeWidgetItem(self.entries, [heading])
             above.setFlags(Qt.ItemFlag.NoItemFlags)
             above.setFirstColumnSpanned(True)
             font = above.font(0)
@@ -194,20 +184,22 @@ class PresetList(QFrame):
         in_use = [] if words else [line for line in found if line.text(0)]
         self._mark((in_use or sorted(found, key=lambda line: not line.text(1).casefold().startswith(typed)))[0])
 
-    def _mark(self, line: QTreeWidgetItem) -> None:
+    def _mark(self, line: QtWidgets.QTreeWidgetItem) -> None:
         self.entries.setCurrentItem(line)
         self.entries.scrollToItem(line)
 
 
-def _line(mark: str, name: str, summary: str, value: tuple[Path | str | None], tip: str = "") -> QTreeWidgetItem:
-    line = QTreeWidgetItem([mark, name, summary])
+def _line(
+    mark: str, name: str, summary: str, value: tuple[Path | str | None], tip: str = ""
+) -> QtWidgets.QTreeWidgetItem:
+    line = QtWidgets.QTreeWidgetItem([mark, name, summary])
     line.setData(0, _VALUE, value)
     for k, words in enumerate(("", tip, summary)):
         line.setToolTip(k, words)
     return line
 
 
-class PresetPicker(QPushButton):
+class PresetPicker(QtWidgets.QPushButton):
     """A button that shows a preset, and opens the list of all.
 
     Parameters

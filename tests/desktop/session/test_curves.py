@@ -12,12 +12,7 @@ from phonemeanalyser.colours import CURVE_COLOURS, free_curve_colour
 from phonemeanalyser.desktop.session.curves import CurveTable
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeengine.errors import CurveError
-from phonemeengine.inspection.averaged_spectrum import (
-    AveragedSpectrum,
-    SoundPart,
-    distance_of,
-    load_averaged_spectrum,
-)
+from phonemeengine.inspection import averaged_spectrum
 from phonemeengine.inspection.speaker_spectra import average_parts
 from phonemeengine.settings import SAMPLE_RATE, Channel
 from phonemeengine.storage.files import portable_name
@@ -35,17 +30,17 @@ def table(model: PresetModel, tmp_path: Path):
 
 
 @pytest.fixture
-def part(tmp_path: Path) -> SoundPart:
+def part(tmp_path: Path) -> averaged_spectrum.SoundPart:
     return sound_part(tmp_path / "a.wav", vowel((700, 1200, 2500), 0.5))
 
 
-def sound_part(path: Path, samples: np.ndarray) -> SoundPart:
+def sound_part(path: Path, samples: np.ndarray) -> averaged_spectrum.SoundPart:
     soundfile.write(path, samples, SAMPLE_RATE, subtype="FLOAT")
-    return SoundPart(path, Channel.MIX, ((0.0, len(samples) / SAMPLE_RATE),))
+    return averaged_spectrum.SoundPart(path, Channel.MIX, ((0.0, len(samples) / SAMPLE_RATE),))
 
 
-def flat(name: str, amplitude: float = 0.1, front_end: str = "bare") -> AveragedSpectrum:
-    return AveragedSpectrum(name, np.arange(8.0), np.full(8, amplitude), 10, front_end)
+def flat(name: str, amplitude: float = 0.1, front_end: str = "bare") -> averaged_spectrum.AveragedSpectrum:
+    return averaged_spectrum.AveragedSpectrum(name, np.arange(8.0), np.full(8, amplitude), 10, front_end)
 
 
 def names(table: CurveTable) -> list[str]:
@@ -153,8 +148,8 @@ def test_several_are_saved_under_their_names_and_none_is_replaced(table, tmp_pat
     table.add([flat("Mara: a/b"), flat("b", 0.2)])
     (tmp_path / "b.csv").write_text("mine")
     table.save([0, 1], tmp_path)
-    assert load_averaged_spectrum(tmp_path / "Mara- a-b.csv").name == "Mara: a/b"
-    assert load_averaged_spectrum(tmp_path / "b (2).csv").name == "b"
+    assert averaged_spectrum.load_averaged_spectrum(tmp_path / "Mara- a-b.csv").name == "Mara: a/b"
+    assert averaged_spectrum.load_averaged_spectrum(tmp_path / "b (2).csv").name == "b"
     assert (tmp_path / "b.csv").read_text() == "mine"
     assert table.told == [f"2 curves saved in {tmp_path}"]
     with pytest.raises(CurveError, match="cannot be written"):
@@ -191,7 +186,7 @@ def test_curves_through_other_filters_are_measured_again_through_the_present_one
     with qtbot.waitSignal(table.compared):
         pass
     found = table.differences([old, new])[0][1]
-    assert found.decibels == pytest.approx(distance_of(average_parts([part], settings, "old"), new))
+    assert found.decibels == pytest.approx(averaged_spectrum.distance_of(average_parts([part], settings, "old"), new))
     assert found.words.endswith("both measured again with the current filters")
 
 

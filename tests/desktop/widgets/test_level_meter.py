@@ -9,17 +9,11 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.theme import DARK, LIGHT, Theme
-from phonemeanalyser.desktop.widgets.level_meter import (
-    LIGHT_WIDTH,
-    LOWEST_DB,
-    LevelMeterView,
-    marks_that_fit,
-    words_of,
-)
+from phonemeanalyser.desktop.widgets import level_meter
 from phonemeengine.audio.level import Level
 
 WIDTH = 500
-TRACK = WIDTH - LIGHT_WIDTH - 8
+TRACK = WIDTH - level_meter.LIGHT_WIDTH - 8
 BAR_Y, HELD_Y = 9, 3
 """A row through the bar, and one above it that only the held peak reaches."""
 
@@ -33,7 +27,7 @@ def theme(request: pytest.FixtureRequest) -> Theme:
 @pytest.fixture
 def picture(qapp: QApplication, qtbot: QtBot, theme: Theme) -> Callable[[Level], QImage]:
     def paint(level: Level) -> QImage:
-        meter = LevelMeterView(lambda: level, theme)
+        meter = level_meter.LevelMeterView(lambda: level, theme)
         qtbot.addWidget(meter)
         meter.resize(WIDTH, 28)
         return meter.grab().toImage()
@@ -52,7 +46,7 @@ def test_the_bar_reaches_as_far_as_the_peak_in_decibels(
 ) -> None:
     peak = 10 ** (decibels / 20)
     bar = columns(picture(Level(peak, peak)), BAR_Y, theme.good)
-    assert len(bar) == pytest.approx((decibels - LOWEST_DB) / -LOWEST_DB * TRACK, abs=3)
+    assert len(bar) == pytest.approx((decibels - level_meter.LOWEST_DB) / -level_meter.LOWEST_DB * TRACK, abs=3)
 
 
 def test_the_held_peak_stays_where_it_was_while_the_bar_falls(
@@ -82,7 +76,7 @@ def test_the_light_is_lit_for_a_second_after_clipping(
 
 
 def test_the_light_tells_how_long_ago_it_clipped() -> None:
-    words = [words_of(ago) for ago in (None, 0.0, 0.9, 1.2, 12.4, 59.4, 60.0)]
+    words = [level_meter.words_of(ago) for ago in (None, 0.0, 0.9, 1.2, 12.4, 59.4, 60.0)]
     assert words == [
         "no clipping",
         "CLIPPED",
@@ -95,15 +89,18 @@ def test_the_light_tells_how_long_ago_it_clipped() -> None:
 
 
 def test_the_words_of_the_light_fit_into_it(qapp: QApplication, qtbot: QtBot) -> None:
-    meter = LevelMeterView(Level, DARK)
+    meter = level_meter.LevelMeterView(Level, DARK)
     qtbot.addWidget(meter)
     font = meter.font()
     font.setPixelSize(10)
     meter.setFont(font)
-    assert max(meter.fontMetrics().horizontalAdvance(words_of(ago)) for ago in (None, 0.0, 59.4)) < LIGHT_WIDTH - 4
+    assert (
+        max(meter.fontMetrics().horizontalAdvance(level_meter.words_of(ago)) for ago in (None, 0.0, 59.4))
+        < level_meter.LIGHT_WIDTH - 4
+    )
 
 
 @pytest.mark.parametrize(("width", "written"), [(100, {0, -24, -48}), (500, {0, -12, -24, -36, -48})])
 def test_marks_that_would_run_into_one_another_are_not_written(width: float, written: set[int]) -> None:
     """Of a narrow meter, "-12" and "0 dB" would read "-120 dB"."""
-    assert marks_that_fit(lambda text: 6 * len(text), width) == written
+    assert level_meter.marks_that_fit(lambda text: 6 * len(text), width) == written

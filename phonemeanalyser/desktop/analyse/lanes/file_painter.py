@@ -14,15 +14,7 @@ from phonemeanalyser.desktop.painting import CENTRED, draw_text, mixed
 from phonemeanalyser.desktop.session.preset import A
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
-from phonemeanalyser.desktop.widgets.lanes import (
-    LEAST_LOUDNESS,
-    lane_of_frames,
-    names_in_lanes,
-    paint_lane,
-    paint_name,
-    paint_times,
-    paint_wave,
-)
+from phonemeanalyser.desktop.widgets import lanes
 from phonemeengine.arrays import UInt32Array
 from phonemeengine.inspection.whole_sound import FrameState, SoundTracks
 from phonemeengine.phonemes import Phoneme
@@ -58,7 +50,7 @@ class FilePainter:
         self.sonagram = SonagramPainter(session.sonagram, theme)
         self._lane_colours = _lane_colours(QColor(theme.base))
         self._names = [
-            name if state is not FrameState.UNKNOWN else "" for state in FrameState for name in names_in_lanes()
+            name if state is not FrameState.UNKNOWN else "" for state in FrameState for name in lanes.names_in_lanes()
         ]
         self._picture = QPixmap()
         self._shows: tuple[object, ...] = ()
@@ -114,7 +106,7 @@ class FilePainter:
         if not courses_only:
             self._paint_above(painter)
         self._courses.paint(painter, self._session.whole.tracks)
-        paint_times(painter, rows[3].bottom(), self._layout.axis, self._theme, self._widget.width())
+        lanes.paint_times(painter, rows[3].bottom(), self._layout.axis, self._theme, self._widget.width())
 
     def _paint_above(self, painter: QPainter) -> None:
         """Paint the rows above the courses."""
@@ -125,12 +117,12 @@ class FilePainter:
         if tracks is not None:
             self._paint_recognised(painter, rows[LANE], tracks)
             peaks = self._session.waveform.outline_in(self._view.seen, tracks.peaks, self._layout.width)
-            paint_wave(painter, rows[2], peaks, self._theme)
+            lanes.paint_wave(painter, rows[2], peaks, self._theme)
             self._paint_samples(painter, rows[2])
             self._paint_over(painter, rows[0], tracks)
         for row, lane in (*self._layout.label_lanes(), *self._layout.spoken_rows()):
-            paint_name(painter, row, lane.name, self._theme)
-            paint_lane(painter, row, lane, self._layout.axis, self._theme)
+            lanes.paint_name(painter, row, lane.name, self._theme)
+            lanes.paint_lane(painter, row, lane, self._layout.axis, self._theme)
         if (feeling := self._layout.feeling_row()) is not None:
             known = self._session.feelings.feelings_in(self._view.seen)
             paint_feelings(painter, feeling, self._layout.axis, known, self._theme)
@@ -152,8 +144,8 @@ class FilePainter:
     def _paint_lane(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
         first, last = self._frames_seen(tracks)
         codes = tracks.states[first:last].astype(np.intp) * len(Phoneme) + tracks.phonemes[first:last]
-        lane = lane_of_frames("", codes, self._names, self._lane_colours, first=first)
-        paint_lane(painter, row, lane, self._layout.axis, self._theme)
+        lane = lanes.lane_of_frames("", codes, self._names, self._lane_colours, first=first)
+        lanes.paint_lane(painter, row, lane, self._layout.axis, self._theme)
 
     def _paint_recognised(self, painter: QPainter, first: QRectF, tracks: SoundTracks) -> None:
         """Paint what is recognised; with a second preset that of A above that of B, and a mark at the one in use."""
@@ -168,7 +160,7 @@ class FilePainter:
         if other is not None:
             self._paint_lane(painter, there or second, other)
         for place, name in zip((first, second), self._session.second.names, strict=True):
-            paint_name(painter, place, name, self._theme)
+            lanes.paint_name(painter, place, name, self._theme)
         painter.fillRect(QRectF(LEFT - 4, here.top(), 3, here.height()), QColor(self._theme.accent))
 
     def _paint_errors(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
@@ -191,7 +183,7 @@ class FilePainter:
         if known is None or not len(known[1]):
             return
         first, samples = known
-        loudest = max(LEAST_LOUDNESS, float(np.abs(samples).max()))
+        loudest = max(lanes.LEAST_LOUDNESS, float(np.abs(samples).max()))
         x = LEFT + ((first + np.arange(len(samples))) / SAMPLE_RATE - self._view.seen.start) * SAMPLE_RATE * apart
         y = row.center().y() - samples * (row.height() / 2 - 1) / loudest
         places = [QPointF(*place) for place in zip(x.tolist(), y.tolist(), strict=True)]

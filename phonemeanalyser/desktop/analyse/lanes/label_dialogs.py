@@ -2,19 +2,9 @@
 
 from pathlib import Path
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QDialog,
-    QDialogButtonBox,
-    QHeaderView,
-    QListWidget,
-    QListWidgetItem,
-    QTableWidget,
-    QTableWidgetItem,
-    QWidget,
-)
 
 from phonemeanalyser.desktop.analyse.lanes.file_view import FileView
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
@@ -56,7 +46,7 @@ class LabelDialogs(QObject):
 
     name_asked = Signal(object, str)
 
-    def __init__(self, window: QWidget, session: Session, files: FileAsker) -> None:
+    def __init__(self, window: QtWidgets.QWidget, session: Session, files: FileAsker) -> None:
         super().__init__(window)
         self._window = window
         self._session = session
@@ -242,7 +232,7 @@ class LabelDialogs(QObject):
         return ask_to_save(self._window, tr("Unsaved Labels"), question, self.save)
 
 
-class FormatDialog(QDialog):
+class FormatDialog(QtWidgets.QDialog):
     """Asks in which format labels are saved, and says what each loses of them.
 
     Attributes
@@ -251,7 +241,7 @@ class FormatDialog(QDialog):
     loses : what the chosen one does not keep.
     """
 
-    def __init__(self, labels: LabelTiers, parent: QWidget) -> None:
+    def __init__(self, labels: LabelTiers, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self.setWindowTitle(tr("Save Labels"))
         self._labels = labels
@@ -274,7 +264,7 @@ class FormatDialog(QDialog):
         self.loses.setText(words)
 
 
-class TiersDialog(QDialog):
+class TiersDialog(QtWidgets.QDialog):
     """Asks which tiers are shown, and which one says what is said.
 
     Attributes
@@ -283,15 +273,15 @@ class TiersDialog(QDialog):
     says : the choice of the one that is compared with what is recognised.
     """
 
-    def __init__(self, labels: LabelTiers, parent: QWidget) -> None:
+    def __init__(self, labels: LabelTiers, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self.setWindowTitle(tr("Tiers"))
-        self.list = named(QListWidget(), tr("Visible tiers"))
+        self.list = named(QtWidgets.QListWidget(), tr("Visible tiers"))
         self.says = choice([(tr(NONE), None)], tr("Tier to compare with the recognised phonemes"))
         for k, tier in enumerate(labels.tiers):
             n = len(tier.raw_labels)
             held = tr("{n} points") if tier.points else tr("{n} labels")
-            item = QListWidgetItem(f"{tier.name} ({held.format(n=n)})")
+            item = QtWidgets.QListWidgetItem(f"{tier.name} ({held.format(n=n)})")
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             item.setCheckState(Qt.CheckState.Checked if k in labels.state.shown else Qt.CheckState.Unchecked)
             self.list.addItem(item)
@@ -321,7 +311,7 @@ SIZE = 560, 520
 """Of the dialog at first, pixels."""
 
 
-class MeasurementDialog(QDialog):
+class MeasurementDialog(QtWidgets.QDialog):
     """Shows a measurement; Ctrl+C, or a button, copies it for a spreadsheet.
 
     Attributes
@@ -330,7 +320,9 @@ class MeasurementDialog(QDialog):
     copy : the button.
     """
 
-    def __init__(self, measurement: StretchMeasurement, sound: str, preset: Preset, parent: QWidget) -> None:
+    def __init__(
+        self, measurement: StretchMeasurement, sound: str, preset: Preset, parent: QtWidgets.QWidget
+    ) -> None:
         super().__init__(parent)
         self._text = format_measurement(measurement).replace(",", "\t")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -341,16 +333,16 @@ class MeasurementDialog(QDialog):
         )
         self.resize(*SIZE)
         rows = measurement.rows()
-        self.table = named(QTableWidget(len(rows), len(MEASUREMENT_COLUMNS)), tr("Measurements"))
+        self.table = named(QtWidgets.QTableWidget(len(rows), len(MEASUREMENT_COLUMNS)), tr("Measurements"))
         self.table.setHorizontalHeaderLabels(list(map(tr, MEASUREMENT_COLUMNS)))
         self.table.verticalHeader().hide()
-        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        self.table.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        self.table.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.table.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectionBehavior.SelectRows)
+        self.table.horizontalHeader().setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.ResizeToContents)
+        self.table.horizontalHeader().setSectionResizeMode(0, QtWidgets.QHeaderView.ResizeMode.Stretch)
         for k, row in enumerate(rows):
             for place, words in enumerate(row):
-                item = QTableWidgetItem(
+                item = QtWidgets.QTableWidgetItem(
                     words if place else sound_name(tr_engine(readable_name(words, preset.variables)))
                 )
                 item.setToolTip("" if place else words)
@@ -365,7 +357,7 @@ class MeasurementDialog(QDialog):
             wraps=True,
         )
         buttons = dialog_buttons(self, CLOSE)
-        self.copy = buttons.addButton(tr("Copy"), QDialogButtonBox.ButtonRole.ActionRole)
+        self.copy = buttons.addButton(tr("Copy"), QtWidgets.QDialogButtonBox.ButtonRole.ActionRole)
         self.copy.setToolTip(tr("Copy the table as tab-separated text"))
         self.copy.clicked.connect(self.copy_table)
         QShortcut(QKeySequence(QKeySequence.StandardKey.Copy), self, self.copy_table)
@@ -379,7 +371,7 @@ class MeasurementDialog(QDialog):
 class SelectionDialogs(QObject):
     """Asks where the selected sound goes, and shows what was measured."""
 
-    def __init__(self, window: QWidget, selection: Selection, session: Session, files: FileAsker) -> None:
+    def __init__(self, window: QtWidgets.QWidget, selection: Selection, session: Session, files: FileAsker) -> None:
         super().__init__(window)
         self._window = window
         self._selection = selection

@@ -12,12 +12,7 @@ from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QGridLayout, QWidget
 from typing_extensions import override
 
-from phonemeanalyser.desktop.analyse.lanes.feeling_lane import (
-    FEELING_HEIGHT,
-    feeling_tip,
-    feeling_words,
-    paint_feelings,
-)
+from phonemeanalyser.desktop.analyse.lanes import feeling_lane
 from phonemeanalyser.desktop.analyse.lanes.sonagram import SIDE, Overlaid, SonagramPainter, side_width
 from phonemeanalyser.desktop.analyse.lanes.sonagram_choices import SonagramChoices
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
@@ -128,7 +123,7 @@ class FeelingItem(pg.GraphicsObject):
     def __init__(self, feelings: LiveFeelings, sonagram: SonagramItem, theme: Theme) -> None:
         super().__init__()
         self._feelings, self._sonagram, self._theme = feelings, sonagram, theme
-        self.setToolTip(feeling_tip())
+        self.setToolTip(feeling_lane.feeling_tip())
 
     @override
     def boundingRect(self) -> QRectF:
@@ -139,7 +134,9 @@ class FeelingItem(pg.GraphicsObject):
     def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
         row, axis = row_of(self, painter, self._sonagram.n_drawn)
         painter.resetTransform()
-        paint_feelings(painter, row, axis, self._feelings.feelings_in(TimeSpan(axis.start, axis.end)), self._theme)
+        feeling_lane.paint_feelings(
+            painter, row, axis, self._feelings.feelings_in(TimeSpan(axis.start, axis.end)), self._theme
+        )
 
 
 def row_of(item: pg.GraphicsObject, painter: QPainter, n_drawn: int) -> tuple[QRectF, TimeAxis]:
@@ -236,7 +233,7 @@ class ScrollView(QWidget):
 
     def _show_look(self) -> None:
         """Draw all anew, as is chosen now."""
-        height = FEELING_HEIGHT if "feeling" in self._session.sonagram.overlays else 0
+        height = feeling_lane.FEELING_HEIGHT if "feeling" in self._session.sonagram.overlays else 0
         self._plots[-1].setVisible(height > 0)
         self._plots[-1].setFixedHeight(height)
         self._rows.setRowMinimumHeight(1, LANE_HEIGHT + height + COURSE_HEIGHT)
@@ -399,7 +396,7 @@ class ScrollView(QWidget):
         if plot is self._plots[-1]:
             felt = self._session.live_feelings.feelings_in(TimeSpan(column * FRAME_PERIOD, self.sonagram.n_drawn))
             known = felt.at(column)
-            return text if known is None else "   ".join([text, *feeling_words(known)])
+            return text if known is None else "   ".join([text, *feeling_lane.feeling_words(known)])
         name = self.courses.chosen
         values = self._history.features(at)
         return f"{text}   {name} {values[name][0]:.4g}" if name in values.names else text

@@ -14,18 +14,7 @@ from phonemeanalyser.desktop.engine_words import recogniser_title
 from phonemeanalyser.desktop.language import tr, tr_amid
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import (
-    ScrolledDown,
-    choice,
-    grid,
-    label,
-    leave_wheel,
-    line,
-    named,
-    row,
-    silent,
-    tool_button,
-)
+from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.fields import NumberField
 from phonemeengine.presets.controls import unused_settings
 from phonemeengine.presets.model_choice import figures_ahead, for_live_use, frames_ahead
@@ -49,8 +38,8 @@ class LookAheadSlider(QSlider):
         super().__init__(Qt.Orientation.Horizontal)
         self._preset = preset
         self._waiting: float | None = None
-        self.words = named(
-            label(wraps=True),
+        self.words = builders.named(
+            builders.label(wraps=True),
             tip=tr(
                 "Latency: from a sound to its phoneme on the screen, measured on this computer since the program "
                 "started, with the microphone used last. Mouth-shape accuracy and macro F1: of speakers the model "
@@ -85,7 +74,7 @@ class LookAheadSlider(QSlider):
             self._preset.set_setting(LIVE_LOOK_AHEAD, seconds)
 
     def _show(self) -> None:
-        with silent(self):
+        with builders.silent(self):
             self.setValue(int(getattr(self._preset.preset.settings, LIVE_LOOK_AHEAD) / FRAME_PERIOD + 1e-6))
         self._tell()
 
@@ -125,7 +114,7 @@ FIELD_WIDTH, RESET_WIDTH = 124, 18
 FILTERS = frozenset(step.value for step in Filter)
 
 
-class FilterColumn(ScrolledDown):
+class FilterColumn(builders.ScrolledDown):
     """A switch, the parameters and a reset for each filter, then the statistics and the intensity's range.
 
     Attributes
@@ -142,12 +131,12 @@ class FilterColumn(ScrolledDown):
         self.fields: dict[str, QComboBox | NumberField] = {}
         self.resets: dict[str, QToolButton] = {}
         self.look_ahead = LookAheadSlider(preset)
-        self.bypass = named(
+        self.bypass = builders.named(
             QCheckBox(tr("Bypass all filters")), tip=tr("Switch all filters off, or back to their previous state (B)")
         )
-        self.unused = label(colour=theme.accent, wraps=True)
+        self.unused = builders.label(colour=theme.accent, wraps=True)
         self._headings: dict[str, QLabel | QCheckBox] = {}
-        self._grid = grid(margins=(6, 6, 2, 6), across=3, down=3)
+        self._grid = builders.grid(margins=(6, 6, 2, 6), across=3, down=3)
         self._fill()
         preset.changed.connect(self._show_preset)
         self._show_preset()
@@ -167,26 +156,26 @@ class FilterColumn(ScrolledDown):
         self._grid.setRowStretch(self._grid.rowCount(), 1)
         body = QWidget()
         body.setLayout(self._grid)
-        leave_wheel(body)
+        builders.leave_wheel(body)
         self.setAccessibleName(tr("Filters"))
         self.show_body(body)
 
     def _add_stage(self, stage: Stage, switch: Callable[[bool], None] | None) -> None:
         """Add a line above, the switch, its parameters with their labels, the first beside it, and the reset."""
         at = self._grid.rowCount()
-        self._grid.addWidget(line(self._theme.line), at, 0, 1, 3)
+        self._grid.addWidget(builders.line(self._theme.line), at, 0, 1, 3)
         heading = self._headings[stage.name] = self._heading(stage, switch)
         reset = self._reset(stage.name, stage.label)
         hints = [tr(HINTS[of.name]) for of in stage.parameters]
         parts = [
-            named(label(tr(of.part), self._theme.faint), tip=hint)
+            builders.named(builders.label(tr(of.part), self._theme.faint), tip=hint)
             for of, hint in zip(stage.parameters, hints, strict=True)
             if of.part
         ]
-        self._grid.addLayout(row(heading, 1, *parts[:1], spacing=3), at + 1, 0)
+        self._grid.addLayout(builders.row(heading, 1, *parts[:1], spacing=3), at + 1, 0)
         for k, of in enumerate(stage.parameters):
             tip = f"{tr(of.label)}: {hints[k]}"
-            self._grid.addWidget(named(self._field(of), tr(of.label), tip), at + 1 + k, 1)
+            self._grid.addWidget(builders.named(self._field(of), tr(of.label), tip), at + 1 + k, 1)
             if k:
                 self._grid.addWidget(parts[k], at + 1 + k, 0, Qt.AlignmentFlag.AlignRight)
             else:
@@ -216,7 +205,7 @@ class FilterColumn(ScrolledDown):
         super().keep_width(body)
 
     def _reset(self, key: str, text: str) -> QToolButton:
-        reset = self.resets[key] = tool_button(
+        reset = self.resets[key] = builders.tool_button(
             "↺",
             tr("Reset {text} to the value in the preset file").format(text=tr_amid(text)),
             tr("Reset {text}").format(text=tr_amid(text)),
@@ -230,7 +219,7 @@ class FilterColumn(ScrolledDown):
             return self.look_ahead
         widget: QComboBox | NumberField
         if of.choices:
-            widget = choice((tr(words), value) for words, value in of.choices)
+            widget = builders.choice((tr(words), value) for words, value in of.choices)
             widget.activated.connect(lambda k: self._edit(of.name, of.choices[k][1]))
         else:
             unit = f" {tr(of.unit)}" if of.unit else ""
@@ -261,7 +250,7 @@ class FilterColumn(ScrolledDown):
 
     def _show_preset(self) -> None:
         settings = self._preset.preset.settings
-        with silent(*self.fields.values(), *self.switches.values(), self.bypass):
+        with builders.silent(*self.fields.values(), *self.switches.values(), self.bypass):
             for name, widget in self.fields.items():
                 if isinstance(widget, QComboBox):
                     widget.setCurrentIndex([v for _, v in PARAMETERS[name].choices].index(getattr(settings, name)))

@@ -16,13 +16,7 @@ from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.desktop.widgets.builders import CLOSE, choice, column, dialog_buttons, grid, label
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeanalyser.desktop.widgets.preset_picker import PresetPicker, Sections
-from phonemeengine.encoder.model_folder import (
-    choose_whisper,
-    fetch_whisper,
-    has_chosen_folder,
-    has_whisper,
-    whisper_in_words,
-)
+from phonemeengine.encoder import model_folder
 from phonemeengine.presets.files import PresetEntry
 from phonemeengine.presets.model_choice import has_model, has_network, offered_model, why_without
 from phonemeengine.recognition.spec import BUILT_IN, recogniser_names
@@ -215,15 +209,15 @@ class EncoderDialog(QDialog):
     def ask_folder(self) -> None:
         """Let the user choose the folder of a model."""
         if folder := self._files.ask_folder(tr("Choose the Folder with model.bin of Whisper base"), Path()):
-            self._do(tr_noop("Opening the model…"), lambda: choose_whisper(folder))
+            self._do(tr_noop("Opening the model…"), lambda: model_folder.choose_whisper(folder))
 
     def forget(self) -> None:
         """Use the chosen folder no longer."""
-        self._do(LOOKING, lambda: choose_whisper(None))
+        self._do(LOOKING, lambda: model_folder.choose_whisper(None))
 
     def fetch(self) -> None:
         """Get the model over the network."""
-        self._do(tr_noop("Downloading the model (145 MB)…"), fetch_whisper)
+        self._do(tr_noop("Downloading the model (145 MB)…"), model_folder.fetch_whisper)
 
     @override
     def done(self, result: int) -> None:
@@ -238,7 +232,7 @@ class EncoderDialog(QDialog):
 
         def acted(_progress: object) -> str:
             act()
-            return whisper_in_words()
+            return model_folder.whisper_in_words()
 
         self._work.submit(acted, self._tell)
 
@@ -247,7 +241,7 @@ class EncoderDialog(QDialog):
         self.model_changed.emit()
 
     def _refuse(self, words: str) -> None:
-        if not has_whisper() and self._asked == LOOKING:
+        if not model_folder.has_whisper() and self._asked == LOOKING:
             words = tr("no model is installed: download it, or choose the folder of one that you have")
         self._show(f"{words[:1].upper()}{words[1:]}.", is_idle=True)
         self.model_changed.emit()
@@ -256,4 +250,4 @@ class EncoderDialog(QDialog):
         self.state.setText(words)
         for button in self.buttons:
             button.setEnabled(is_idle)
-        self.buttons[1].setEnabled(is_idle and has_chosen_folder())
+        self.buttons[1].setEnabled(is_idle and model_folder.has_chosen_folder())

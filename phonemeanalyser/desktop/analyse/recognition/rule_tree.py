@@ -4,19 +4,9 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QAbstractItemModel, QEvent, QModelIndex, QPersistentModelIndex, Qt
 from PySide6.QtGui import QColor, QDropEvent, QKeyEvent
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QHeaderView,
-    QLineEdit,
-    QMenu,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
-    QTreeWidget,
-    QTreeWidgetItem,
-    QWidget,
-)
 from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
@@ -56,7 +46,7 @@ VALUE = Qt.ItemDataRole.UserRole
 Index = QModelIndex | QPersistentModelIndex
 
 
-class _Delegate(QStyledItemDelegate):
+class _Delegate(QtWidgets.QStyledItemDelegate):
     """Edits the limit of a condition."""
 
     def __init__(self, tree: "RuleTree") -> None:
@@ -64,28 +54,30 @@ class _Delegate(QStyledItemDelegate):
         self._tree = tree
 
     @override
-    def createEditor(self, parent: QWidget, _option: QStyleOptionViewItem, _index: Index) -> QWidget:
-        return QLineEdit(parent)
+    def createEditor(
+        self, parent: QtWidgets.QWidget, _option: QtWidgets.QStyleOptionViewItem, _index: Index
+    ) -> QtWidgets.QWidget:
+        return QtWidgets.QLineEdit(parent)
 
     @override
-    def setEditorData(self, editor: QWidget, index: Index) -> None:
-        if isinstance(editor, QLineEdit):
+    def setEditorData(self, editor: QtWidgets.QWidget, index: Index) -> None:
+        if isinstance(editor, QtWidgets.QLineEdit):
             editor.setText(f"{index.data(VALUE):g}")
             editor.selectAll()
 
     @override
-    def setModelData(self, editor: QWidget, _model: QAbstractItemModel, index: Index) -> None:
-        if isinstance(editor, QLineEdit):
+    def setModelData(self, editor: QtWidgets.QWidget, _model: QAbstractItemModel, index: Index) -> None:
+        if isinstance(editor, QtWidgets.QLineEdit):
             self._tree.type_limit(index, editor.text())
 
 
-class RuleTree(QTreeWidget):
+class RuleTree(QtWidgets.QTreeWidget):
     """Shows the rules in the order of decision; space switches, F2 or a double click edits, Delete deletes."""
 
     def __init__(self, rules: RuleModel, theme: Theme) -> None:
         super().__init__()
         self._rules, self._theme = rules, theme
-        self._items: list[QTreeWidgetItem] = []
+        self._items: list[QtWidgets.QTreeWidgetItem] = []
         self._shown: tuple[Rule, ...] = ()
         self._shape: object = None
         self._written: list[object] = []
@@ -168,7 +160,7 @@ class RuleTree(QTreeWidget):
                     self._mark_condition(child, next(left, None) if condition.enabled else None)
         self.viewport().update()
 
-    def _mark_condition(self, item: QTreeWidgetItem, comparison: RuleComparison | None) -> None:
+    def _mark_condition(self, item: QtWidgets.QTreeWidgetItem, comparison: RuleComparison | None) -> None:
         if comparison is None:
             item.setText(NOW, "")
             return
@@ -184,9 +176,9 @@ class RuleTree(QTreeWidget):
         self.clear()
         few = sum(len(rule.conditions) for rule in rules) <= MOST_EXPANDED
         for rule in rules:
-            item = QTreeWidgetItem(self)
+            item = QtWidgets.QTreeWidgetItem(self)
             self._items.append(item)
-            item.addChildren([QTreeWidgetItem() for _ in rule.conditions])
+            item.addChildren([QtWidgets.QTreeWidgetItem() for _ in rule.conditions])
             item.setFirstColumnSpanned(True)
             item.setExpanded(unfolded.get(rule, True) if is_edited else few)
         if chosen is not None and rules:
@@ -206,7 +198,9 @@ class RuleTree(QTreeWidget):
         for child, condition in zip(_children(item), rule.conditions, strict=True):
             self._show_condition(child, rule, condition, fixed=fixed)
 
-    def _show_condition(self, item: QTreeWidgetItem, rule: Rule, condition: Condition, *, fixed: bool) -> None:
+    def _show_condition(
+        self, item: QtWidgets.QTreeWidgetItem, rule: Rule, condition: Condition, *, fixed: bool
+    ) -> None:
         limit = self._rules.limit_of(condition)
         name = tr_engine(readable_name(condition.variable, self._rules.preset.variables))
         for column, text, value in (
@@ -237,7 +231,7 @@ class RuleTree(QTreeWidget):
 
     # -- what is changed ----------------------------------------------------------------------------------
 
-    def _choices(self, item: QTreeWidgetItem, column: int) -> list[tuple[str, Any]]:
+    def _choices(self, item: QtWidgets.QTreeWidgetItem, column: int) -> list[tuple[str, Any]]:
         """Return what a cell may hold."""
         if item.parent() is None:
             return [(sound_name(p), p) for p in Phoneme]
@@ -246,9 +240,9 @@ class RuleTree(QTreeWidget):
         mine = self._rules.preset.variables
         return [(f"{tr_engine(readable_name(name, mine))}  ({name})", name) for name in self._rules.variables]
 
-    def _offer(self, item: QTreeWidgetItem, column: int) -> None:
+    def _offer(self, item: QtWidgets.QTreeWidgetItem, column: int) -> None:
         """Let the user choose what a cell holds, from a menu below it."""
-        menu, index = QMenu(self), self.indexFromItem(item, column)
+        menu, index = QtWidgets.QMenu(self), self.indexFromItem(item, column)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         for text, value in self._choices(item, column):
             action = menu.addAction(text.replace("&", "&&"))
@@ -312,7 +306,7 @@ class RuleTree(QTreeWidget):
         self._rules.move(k, to)
         self.choose(to)
 
-    def _switch(self, item: QTreeWidgetItem, column: int) -> None:
+    def _switch(self, item: QtWidgets.QTreeWidgetItem, column: int) -> None:
         place = self._place_of(item)
         if place is None or column != NAME or not self._rules.can_edit:
             return
@@ -323,7 +317,7 @@ class RuleTree(QTreeWidget):
         elif j is not None and on != rule.conditions[j].enabled:
             self._rules.set_condition(k, j, enabled=on)
 
-    def _edit(self, item: QTreeWidgetItem, column: int) -> None:
+    def _edit(self, item: QtWidgets.QTreeWidgetItem, column: int) -> None:
         if item.parent() is not None and column == LIMIT:
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsEditable)
             self.editItem(item, column)
@@ -355,7 +349,7 @@ class RuleTree(QTreeWidget):
         key, modifiers = Qt.Key(event.key()), event.modifiers()
         steps = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}
         item = self.currentItem()
-        if self.state() == QAbstractItemView.State.EditingState:
+        if self.state() == QtWidgets.QAbstractItemView.State.EditingState:
             event.ignore()  # Return, which ends the editing
         elif modifiers & Qt.KeyboardModifier.AltModifier and key in steps and self._rules.can_edit:
             self.shift(steps[key])
@@ -388,7 +382,7 @@ class RuleTree(QTreeWidget):
         if k is not None and (to := to - (to > k)) != k:
             self._move(k, to)
 
-    def _place_of(self, item: QTreeWidgetItem | None) -> tuple[int, int | None] | None:
+    def _place_of(self, item: QtWidgets.QTreeWidgetItem | None) -> tuple[int, int | None] | None:
         """Return the numbers of rule and condition that an item shows; None where it shows none."""
         if item is None:
             return None
@@ -407,24 +401,26 @@ class RuleTree(QTreeWidget):
         header.setStretchLastSection(False)
         for column, width in enumerate(WIDTHS):
             header.setSectionResizeMode(
-                column, QHeaderView.ResizeMode.Fixed if width else QHeaderView.ResizeMode.Stretch
+                column, QtWidgets.QHeaderView.ResizeMode.Fixed if width else QtWidgets.QHeaderView.ResizeMode.Stretch
             )
             if width:
                 header.resizeSection(column, width)
         self.setIndentation(14)
         self.setUniformRowHeights(True)
-        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectItems)  # Right goes on to the next cell
-        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.setDragDropMode(QAbstractItemView.DragDropMode.InternalMove)
+        self.setSelectionBehavior(
+            QtWidgets.QAbstractItemView.SelectionBehavior.SelectItems
+        )  # Right goes on to the next cell
+        self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setDragDropMode(QtWidgets.QAbstractItemView.DragDropMode.InternalMove)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setMinimumHeight(140)
 
 
-def _children(item: QTreeWidgetItem) -> list[QTreeWidgetItem]:
+def _children(item: QtWidgets.QTreeWidgetItem) -> list[QtWidgets.QTreeWidgetItem]:
     return [child for j in range(item.childCount()) if (child := item.child(j)) is not None]
 
 
-def _set_checked(item: QTreeWidgetItem, on: bool, *, fixed: bool, drags: bool) -> None:
+def _set_checked(item: QtWidgets.QTreeWidgetItem, on: bool, *, fixed: bool, drags: bool) -> None:
     flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
     if not fixed:
         flags |= Qt.ItemFlag.ItemIsUserCheckable | Qt.ItemFlag.ItemIsDropEnabled
@@ -435,7 +431,7 @@ def _set_checked(item: QTreeWidgetItem, on: bool, *, fixed: bool, drags: bool) -
     item.setFlags(flags)
 
 
-def _set_bold(item: QTreeWidgetItem, on: bool) -> None:
+def _set_bold(item: QtWidgets.QTreeWidgetItem, on: bool) -> None:
     font = item.font(NAME)
     if font.bold() != on:
         font.setBold(on)

@@ -16,16 +16,7 @@ from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.history import History
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import (
-    ScrolledDown,
-    column,
-    grid,
-    label,
-    leave_wheel,
-    named,
-    silent,
-    tool_button,
-)
+from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.fields import NumberField
 from phonemeanalyser.desktop.widgets.key_filters import ArrowKeys
 from phonemeengine.errors import EngineError
@@ -166,7 +157,7 @@ class Row:
     reset: QToolButton
 
 
-class ThresholdView(ScrolledDown):
+class ThresholdView(builders.ScrolledDown):
     """All controls of the recogniser in use, in groups; another recogniser has others.
 
     Signals
@@ -186,7 +177,7 @@ class ThresholdView(ScrolledDown):
         self._shown: tuple[ControlGroup, ...] = ()
         self._kept: tuple[tuple[ControlGroup, ...], dict[str, Row], QWidget] | None = None
         self._body, self._fields = QWidget(), QWidget()
-        self._column = column(self._fields, on=self._body)
+        self._column = builders.column(self._fields, on=self._body)
         self.show_body(self._body)
         preset.changed.connect(self._show_preset)
         self._show_preset()
@@ -232,7 +223,7 @@ class ThresholdView(ScrolledDown):
             self._kept[2].deleteLater()
             self._kept = None
         preset = self._preset.preset
-        with silent(*(row.number for row in self.rows.values())):
+        with builders.silent(*(row.number for row in self.rows.values())):
             for name, row in self.rows.items():
                 value, saved = row.control.read(preset), self._preset.saved_value(name)
                 row.slider.set_value(value)
@@ -255,7 +246,7 @@ class ThresholdView(ScrolledDown):
 
     def _fill(self) -> None:
         self._fields = QWidget()
-        fields = grid(self._fields, margins=(6, 2, 6, 6), across=5, down=1)
+        fields = builders.grid(self._fields, margins=(6, 2, 6, 6), across=5, down=1)
         fields.setColumnStretch(1, 1)
         self.rows = {}
         for group in self._shown:
@@ -263,7 +254,7 @@ class ThresholdView(ScrolledDown):
             for control in group.controls:
                 self.rows[control.name] = self._add_row(fields, fields.rowCount(), control)
         fields.setRowStretch(fields.rowCount(), 1)
-        leave_wheel(self._fields)
+        builders.leave_wheel(self._fields)
         self._column.addWidget(self._fields)
 
     def _heading(self, group: ControlGroup) -> QLabel:
@@ -278,10 +269,10 @@ class ThresholdView(ScrolledDown):
 
     def _add_row(self, fields: QGridLayout, at: int, control: Control) -> Row:
         hint = self._hint_of(control)
-        words = named(self._label_of(control), tip=f"<p>{hint}</p>")
+        words = builders.named(self._label_of(control), tip=f"<p>{hint}</p>")
         words.setFixedWidth(LABEL_WIDTH)  # the same for all recognisers, so that the dock keeps its width
         tip = f"<p>{hint}</p><p>{tr('Drag, or press the arrow keys (Shift: finer steps).')}</p>"
-        slider = named(ThresholdSlider(control, self._theme), self._name_of(control), tip)
+        slider = builders.named(ThresholdSlider(control, self._theme), self._name_of(control), tip)
         row = Row(control, slider, self._number(control), self._reset())
         for k, widget in enumerate((words, slider, row.number, row.reset)):
             fields.addWidget(widget, at, k)
@@ -296,7 +287,7 @@ class ThresholdView(ScrolledDown):
     def _label_of(self, control: Control) -> QLabel:
         """Return what a control is called: of a threshold what its variable measures, its short name below it."""
         words = tr_engine(readable_name(control.variable, self._preset.preset.variables))
-        called = label(tr_engine(control.label), wraps=True)
+        called = builders.label(tr_engine(control.label), wraps=True)
         called.setTextFormat(Qt.TextFormat.PlainText)
         if control.variable and control.variable in control.label and words != control.variable:
             called.setTextFormat(Qt.TextFormat.RichText)
@@ -319,7 +310,7 @@ class ThresholdView(ScrolledDown):
 
     def _number(self, control: Control) -> NumberField:
         step = (control.high - control.low) / 100
-        number = named(
+        number = builders.named(
             NumberField(-LARGEST, LARGEST, decimals=control.decimals, step=step, waits=True),
             self._name_of(control),
             f"<p>{self._hint_of(control)}</p><p>{tr('Type a number, or press the arrow keys.')}</p>",
@@ -330,7 +321,7 @@ class ThresholdView(ScrolledDown):
         return number
 
     def _reset(self) -> QToolButton:
-        reset = tool_button("↺", tr("Reset to the value in the preset file"), tr("Reset"), flat=True)
+        reset = builders.tool_button("↺", tr("Reset to the value in the preset file"), tr("Reset"), flat=True)
         keep_place = reset.sizePolicy()
         keep_place.setRetainSizeWhenHidden(True)
         reset.setSizePolicy(keep_place)

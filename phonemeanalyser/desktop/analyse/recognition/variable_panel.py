@@ -16,17 +16,7 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import SCOPES, Scope
 from phonemeanalyser.desktop.session.variable_study import Extremes, VariableStudy
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import (
-    choice,
-    column,
-    grid,
-    label,
-    leave_wheel,
-    offer,
-    row,
-    silent,
-    tool_button,
-)
+from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.distribution import DistributionView, phoneme_of_rule, short
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.features.front_end import why_unmeasured
@@ -69,21 +59,23 @@ class VariablePanel(QWidget):
         self._session, self._preset, self._courses = session, preset, courses
         self.study = VariableStudy(session, courses)
         tip = tr("Variable whose course is drawn. Type to search; sorted by how well it separates the two phonemes.")
-        self.variable = choice((), tr("Variable"), tip)
+        self.variable = builders.choice((), tr("Variable"), tip)
         sounds = [(tr("–"), None), *((sound_name(phoneme), phoneme) for phoneme in KEYS)]
-        self.one = choice(sounds, tr("Phoneme to separate"), tr("Sort the variables by how well they separate this"))
-        self.other = choice(sounds, tr("Phoneme to separate it from"), tr("Phoneme to separate it from"))
-        self.scope = choice(
+        self.one = builders.choice(
+            sounds, tr("Phoneme to separate"), tr("Sort the variables by how well they separate this")
+        )
+        self.other = builders.choice(sounds, tr("Phoneme to separate it from"), tr("Phoneme to separate it from"))
+        self.scope = builders.choice(
             ((tr(SCOPES[scope]), scope) for scope in OFFERED),
             tr("Part of the recording"),
             tr("Part of the recording whose phonemes are shown"),
         )
-        self.about, self.phonemes = label(wraps=True), label(wraps=True)
-        self.use = tool_button(tr("Use in a Rule…"), tr("Add a condition with this variable to a rule"))
+        self.about, self.phonemes = builders.label(wraps=True), builders.label(wraps=True)
+        self.use = builders.tool_button(tr("Use in a Rule…"), tr("Add a condition with this variable to a rule"))
         self.values = {(name, k): self._value_button(name, k) for name in ROWS for k in range(len(COLUMNS))}
         self._numbers: dict[tuple[str, int], float] = {}
         self._listed: tuple[object, ...] = ()
-        self._of = {name: label(tr(words), theme.faint) for name, words in ROWS.items()}
+        self._of = {name: builders.label(tr(words), theme.faint) for name, words in ROWS.items()}
         self.distribution = DistributionView(courses.lines, theme, narrow=True)
         self._lay_out()
         self._connect()
@@ -124,11 +116,13 @@ class VariablePanel(QWidget):
         self.variable.setCompleter(completer)
         self.one.setCurrentIndex(self.one.findData(Phoneme.SZ))
         self.other.setCurrentIndex(self.other.findData(Phoneme.SCH))
-        pair = row(label(tr("Separate")), (self.one, 1), label(tr("from")), (self.other, 1), spacing=4)
-        numbers = grid(across=4, down=1)
+        pair = builders.row(
+            builders.label(tr("Separate")), (self.one, 1), builders.label(tr("from")), (self.other, 1), spacing=4
+        )
+        numbers = builders.grid(across=4, down=1)
         numbers.setColumnStretch(0, 1)
         for k, words in enumerate(COLUMNS):
-            heading = label(tr(words))
+            heading = builders.label(tr(words))
             heading.setContentsMargins(0, 0, 8, 0)  # above the letters of the buttons
             numbers.addWidget(heading, 0, k + 1, Qt.AlignmentFlag.AlignRight)
         for at, name in enumerate(ROWS, 1):
@@ -137,13 +131,13 @@ class VariablePanel(QWidget):
                 numbers.addWidget(self.values[name, k], at, k + 1, Qt.AlignmentFlag.AlignRight)
         self.use.clicked.connect(self._use)
         self.use.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        below = row((self.phonemes, 1), self.scope, spacing=4)
-        parts = (self.variable, pair, self.about, numbers, row(self.use, 1), below, (self.distribution, 1))
-        column(*parts, on=self, margins=(6, 4, 6, 4), spacing=4)
-        leave_wheel(self)
+        below = builders.row((self.phonemes, 1), self.scope, spacing=4)
+        parts = (self.variable, pair, self.about, numbers, builders.row(self.use, 1), below, (self.distribution, 1))
+        builders.column(*parts, on=self, margins=(6, 4, 6, 4), spacing=4)
+        builders.leave_wheel(self)
 
     def _value_button(self, name: str, k: int) -> QToolButton:
-        button = tool_button("–", flat=True, act=partial(self._take, name, k))
+        button = builders.tool_button("–", flat=True, act=partial(self._take, name, k))
         button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         return button
 
@@ -192,9 +186,9 @@ class VariablePanel(QWidget):
             names.append(self._courses.chosen)  # a phoneme's deficit, beside whose sensitivity it stands
         order = {name: k for k, name in enumerate(separations)}
         names.sort(key=lambda name: order.get(name, len(order)))
-        with silent(self.variable):
+        with builders.silent(self.variable):
             items = [(self._words_of(name, separations.get(name, math.nan)), name) for name in names]
-            offer(self.variable, items, self._courses.chosen)
+            builders.offer(self.variable, items, self._courses.chosen)
         if editor is not None:
             editor.setCursorPosition(0)  # else the end of what is long is seen
 

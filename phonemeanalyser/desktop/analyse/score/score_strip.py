@@ -13,18 +13,7 @@ from phonemeanalyser.desktop.session.preset import A, B
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import SCOPES, Scope, TimeSpan
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import (
-    ElidedLabel,
-    StillLabel,
-    choice,
-    column,
-    grid,
-    label,
-    named,
-    row,
-    tab_buttons,
-    tool_button,
-)
+from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.figures import (
     FIGURES,
     LEAST_GAIN,
@@ -74,7 +63,7 @@ class ScoreStrip(QWidget):
     def __init__(self, session: Session, theme: Theme) -> None:
         super().__init__()
         self._session, self._score, self._theme = session, session.score, theme
-        self.scope = choice(
+        self.scope = builders.choice(
             ((tr(SCOPES[scope]), scope.value) for scope in OFFERED),
             tr("Score of"),
             tr(
@@ -82,17 +71,21 @@ class ScoreStrip(QWidget):
                 "loaded in Calibrate together with the open file"
             ),
         )
-        self.of_what = ElidedLabel()
-        self.why_not = ElidedLabel()
+        self.of_what = builders.ElidedLabel()
+        self.why_not = builders.ElidedLabel()
         self.ways = QWidget()
         self.figures = QWidget()
-        self.values = {(letter, name): StillLabel(VALUE_WIDTH) for letter in (A, B, "-") for _, name, _, _ in SHOWN}
-        self._headings = {letter: label() for letter in (A, B, "-")}
-        self.gained, self.lost = ElidedLabel(), ElidedLabel()
+        self.values = {
+            (letter, name): builders.StillLabel(VALUE_WIDTH) for letter in (A, B, "-") for _, name, _, _ in SHOWN
+        }
+        self._headings = {letter: builders.label() for letter in (A, B, "-")}
+        self.gained, self.lost = builders.ElidedLabel(), builders.ElidedLabel()
         self.gained.setStyleSheet(f"color: {theme.good}")
         self.lost.setStyleSheet(f"color: {theme.bad}")
         tip = tr("Go to an example of this confusion")
-        self.confusions = [tool_button("", tip, act=partial(self._show_example, k)) for k in range(N_CONFUSIONS)]
+        self.confusions = [
+            builders.tool_button("", tip, act=partial(self._show_example, k)) for k in range(N_CONFUSIONS)
+        ]
         self._worst: list[tuple[Phoneme, Phoneme, int]] = []
         self.shown = QAction(tr("Score"), self, checkable=True, checked=True)
         self.shown.toggled.connect(self.setVisible)
@@ -106,34 +99,38 @@ class ScoreStrip(QWidget):
         self.setAccessibleName(tr("Score"))
         self.scope.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         ways = (
-            tool_button(
+            builders.tool_button(
                 tr("Record Takes"), tr("Hold a key in Calibrate while you say a sound"), act=self.takes_asked.emit
             ),
-            tool_button(
+            builders.tool_button(
                 tr("Load Labels"), tr("Load a TextGrid, or labels of Audacity or CSV"), act=self.labels_asked.emit
             ),
-            tool_button(
+            builders.tool_button(
                 tr("Enter Script"),
                 tr("Enter in Talk what is said, align it, and save the TextGrid beside the sound"),
                 act=self.script_asked.emit,
             ),
         )
-        row(*ways, on=self.ways, spacing=6)
-        tab_buttons(*ways, *self.confusions)
-        figures = grid(self.figures, across=6, down=0)
+        builders.row(*ways, on=self.ways, spacing=6)
+        builders.tab_buttons(*ways, *self.confusions)
+        figures = builders.grid(self.figures, across=6, down=0)
         self._fill(figures)
         self.figures.setMinimumWidth(LEAST_WIDTH)
         self.figures.setMaximumWidth(MOST_WIDTH)
-        above = row(self.scope, (self.of_what, 3), (self.gained, 4), (self.lost, 4), (self.why_not, 1), spacing=8)
-        below = row((self.figures, 1000), self.ways, 1, column(*self.confusions, 1, spacing=2), spacing=8)
-        column(above, below, on=self, margins=(6, 3, 6, 3), spacing=2)
+        above = builders.row(
+            self.scope, (self.of_what, 3), (self.gained, 4), (self.lost, 4), (self.why_not, 1), spacing=8
+        )
+        below = builders.row(
+            (self.figures, 1000), self.ways, 1, builders.column(*self.confusions, 1, spacing=2), spacing=8
+        )
+        builders.column(above, below, on=self, margins=(6, 3, 6, 3), spacing=2)
 
     def _fill(self, figures: QGridLayout) -> None:
         for at, letter in enumerate((A, B, "-"), 1):
             figures.addWidget(self._headings[letter], at, 0)
         for k, (text, name, _, tip) in enumerate(SHOWN, 1):
             of_heading = tr(PARENTHESES if name == "changes_per_s" else tip)
-            heading = named(ElidedLabel(tr(text), asks=True), tip=f"{tr(text)}: {of_heading}")
+            heading = builders.named(builders.ElidedLabel(tr(text), asks=True), tip=f"{tr(text)}: {of_heading}")
             heading.setStyleSheet(f"color: {self._theme.faint}; font-size: {HEADING_SIZE}px")
             figures.addWidget(heading, 0, k)
             figures.setColumnStretch(k, 1)
@@ -268,7 +265,7 @@ class ScoreStrip(QWidget):
                 button.setText(f"{said} → {recognised} {seconds:.1f} s")
                 words = tr("{said} recognised as {recognised} for {seconds:.1f} s in total: go to an example")
                 tip = words.format(said=said, recognised=recognised, seconds=seconds)
-                named(button, tip, tip)
+                builders.named(button, tip, tip)
 
     def _show_example(self, k: int) -> None:
         truth, answer, _ = self._worst[k]

@@ -31,16 +31,8 @@ from phonemeanalyser.desktop.widgets.builders import (
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, is_labelled, read_recordings
 from phonemeengine.errors import AudioError, CurveError, EngineError
+from phonemeengine.inspection import speaker_spectra
 from phonemeengine.inspection.averaged_spectrum import AveragedSpectrum, SoundPart, format_distances, format_spectra
-from phonemeengine.inspection.speaker_spectra import (
-    VOWELS,
-    Grouping,
-    Groups,
-    groups_in,
-    groups_of,
-    speaker_names,
-    whole_file,
-)
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.storage.files import portable_name, write_file
 
@@ -78,9 +70,9 @@ class GroupDialog(QDialog):
         self.speakers = named(QListWidget(), tr("Speakers"))
         self.by = choice(
             (
-                (tr("One curve for each speaker"), Grouping.SPEAKER),
-                (tr("One curve for each phoneme"), Grouping.PHONEME),
-                (tr("One curve for each phoneme of each speaker"), Grouping.SPEAKER_PHONEME),
+                (tr("One curve for each speaker"), speaker_spectra.Grouping.SPEAKER),
+                (tr("One curve for each phoneme"), speaker_spectra.Grouping.PHONEME),
+                (tr("One curve for each phoneme of each speaker"), speaker_spectra.Grouping.SPEAKER_PHONEME),
             ),
             tr("Curves"),
         )
@@ -100,7 +92,7 @@ class GroupDialog(QDialog):
             row(
                 label(tr("Phonemes")),
                 1,
-                tool_button(tr("Vowels"), tr("Choose the vowels"), act=lambda: self.choose(VOWELS)),
+                tool_button(tr("Vowels"), tr("Choose the vowels"), act=lambda: self.choose(speaker_spectra.VOWELS)),
                 tool_button(
                     tr("All"), tr("Choose all phonemes but silence"), act=lambda: self.choose(tuple(Phoneme))
                 ),
@@ -117,7 +109,7 @@ class GroupDialog(QDialog):
         self.by.currentIndexChanged.connect(self._tell)
         self._show_source()
 
-    def groups(self) -> Groups:
+    def groups(self) -> speaker_spectra.Groups:
         """Return what the user chose to average."""
         ticked = [item.text() for item in self.items() if item.checkState() is Qt.CheckState.Checked]
         chosen = [phoneme for phoneme, button in self.phonemes.items() if button.isChecked()]
@@ -125,8 +117,8 @@ class GroupDialog(QDialog):
             return {}
         is_all = len(chosen) == sum(button.isEnabled() for p, button in self.phonemes.items() if p != Phoneme.SILENCE)
         everything = is_all and not self.phonemes[Phoneme.SILENCE].isChecked()
-        by = Grouping(self.by.currentData())
-        return groups_of(self._utterances, by, () if everything else chosen, ticked, tr("vowels"))
+        by = speaker_spectra.Grouping(self.by.currentData())
+        return speaker_spectra.groups_of(self._utterances, by, () if everything else chosen, ticked, tr("vowels"))
 
     def items(self) -> list[QListWidgetItem]:
         """Return the lines of the list of speakers."""
@@ -153,8 +145,8 @@ class GroupDialog(QDialog):
     def _phoneme_buttons(self) -> QWidget:
         body = QWidget()
         places = grid(body, across=4, down=4)
-        others = (p for p in reversed(Phoneme) if p not in VOWELS)
-        for k, phoneme in enumerate((*VOWELS, *others)):
+        others = (p for p in reversed(Phoneme) if p not in speaker_spectra.VOWELS)
+        for k, phoneme in enumerate((*speaker_spectra.VOWELS, *others)):
             button = self.phonemes[phoneme] = toggle_button(sound_name(phoneme), "")
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             button.toggled.connect(self._tell)
@@ -165,13 +157,13 @@ class GroupDialog(QDialog):
         said = {label.phoneme for utterance in self._utterances for label in utterance.labels}
         with silent(self.speakers):
             self.speakers.clear()
-            for name in sorted(set(speaker_names(self._utterances).values())):
+            for name in sorted(set(speaker_spectra.speaker_names(self._utterances).values())):
                 item = QListWidgetItem(name, self.speakers)
                 item.setCheckState(Qt.CheckState.Checked)
         for phoneme, button in self.phonemes.items():
             button.setEnabled(phoneme in said)
             button.setToolTip("" if phoneme in said else tr("The labels have no such phoneme"))
-        self.choose(VOWELS if said & set(VOWELS) else tuple(Phoneme))
+        self.choose(speaker_spectra.VOWELS if said & set(speaker_spectra.VOWELS) else tuple(Phoneme))
 
     def _tell(self) -> None:
         groups = self.groups()
@@ -187,7 +179,7 @@ class GroupDialog(QDialog):
 
 CURVE_FILTER = tr_noop("Curves (*.csv)")
 TABLE_FILTER = tr_noop("Tables (*.csv)")
-Read = tuple[tuple[LabelledUtterance, ...], list[str]] | Groups
+Read = tuple[tuple[LabelledUtterance, ...], list[str]] | speaker_spectra.Groups
 
 
 class CurveDialogs(QObject):
@@ -251,7 +243,7 @@ class CurveDialogs(QObject):
             )
             return
         try:
-            part = whole_file(past)
+            part = speaker_spectra.whole_file(past)
         except EngineError as error:
             self.rejected.emit(str(error))
             return
@@ -380,6 +372,6 @@ class CurveDialogs(QObject):
 def _read(folder: Path) -> Read:
     """Read the labelled recordings in a folder; without labels, what to average of each speaker's."""
     if not is_labelled(folder):
-        return groups_in(folder)
+        return speaker_spectra.groups_in(folder)
     refused: list[AudioError] = []
     return read_recordings(folder, on_skipped=refused.append), [str(error) for error in refused]

@@ -4,19 +4,9 @@ import math
 from collections.abc import Callable
 from functools import partial
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QKeyEvent, QPixmap, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QColorDialog,
-    QLabel,
-    QMenu,
-    QSplitter,
-    QTableWidget,
-    QTableWidgetItem,
-    QToolButton,
-    QWidget,
-)
 from typing_extensions import override
 
 from phonemeanalyser.desktop.analyse.spectra.curve_dialogs import CurveDialogs
@@ -24,16 +14,7 @@ from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.curves import CurveTable
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import (
-    column,
-    label,
-    named,
-    open_at_once,
-    row,
-    silent,
-    style_list,
-    tool_button,
-)
+from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.plot_menu import let_copy
 from phonemeengine.inspection.averaged_spectrum import AveragedSpectrum
 from phonemeengine.settings import SAMPLE_RATE, STAGES, Filter
@@ -60,7 +41,7 @@ CELL = 52
 ICON = 12
 
 
-class CurveList(QTableWidget):
+class CurveList(QtWidgets.QTableWidget):
     """Lists all curves, of which several can be chosen: Delete removes them, F2 renames one."""
 
     def __init__(self, curves: CurveTable) -> None:
@@ -69,11 +50,11 @@ class CurveList(QTableWidget):
         self.setHorizontalHeaderLabels([tr(heading) for heading in HEADINGS])
         for k, tip in enumerate(TIPS):
             self.model().setHeaderData(k, Qt.Orientation.Horizontal, tr(tip), Qt.ItemDataRole.ToolTipRole)
-        style_list(self, 22, WIDTHS)
+        builders.style_list(self, 22, WIDTHS)
         self.horizontalHeader().setMinimumSectionSize(LEAST_FILTERS)
         self.setIconSize(QSize(ICON, ICON))
-        self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-        triggers = QAbstractItemView.EditTrigger
+        self.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.ExtendedSelection)
+        triggers = QtWidgets.QAbstractItemView.EditTrigger
         self.setEditTriggers(triggers.EditKeyPressed | triggers.DoubleClicked)
         self.setAccessibleName(tr("Averaged spectra"))
         let_copy(self)
@@ -85,10 +66,10 @@ class CurveList(QTableWidget):
 
     def choose(self, places: list[int]) -> None:
         """Choose curves."""
-        with silent(self):
+        with builders.silent(self):
             self.clearSelection()
             mode = self.selectionMode()
-            self.setSelectionMode(QAbstractItemView.SelectionMode.MultiSelection)
+            self.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.MultiSelection)
             for place in places:
                 self.selectRow(place)
             self.setSelectionMode(mode)
@@ -120,7 +101,7 @@ class CurveList(QTableWidget):
 
     def _fill(self) -> None:
         chosen = list(self._curves.chosen)
-        with silent(self):
+        with builders.silent(self):
             self.setRowCount(len(self._curves.curves))
             for place, curve in enumerate(self._curves.curves):
                 for k, item in enumerate(_items_of(curve)):
@@ -133,7 +114,7 @@ class CurveList(QTableWidget):
         room = self.viewport().width() - WIDTHS[SECONDS] - WIDTHS[LEVEL] - LEAST_FILTERS
         self.setColumnWidth(NAME, max(WIDTHS[NAME], min(self.sizeHintForColumn(NAME), room)))
 
-    def _take_edit(self, item: QTableWidgetItem) -> None:
+    def _take_edit(self, item: QtWidgets.QTableWidgetItem) -> None:
         if item.column() != NAME:
             return
         place, curve = item.row(), self._curves.curves[item.row()]
@@ -146,7 +127,7 @@ class CurveList(QTableWidget):
             self._fill()
 
 
-class CurvePanel(QWidget):
+class CurvePanel(QtWidgets.QWidget):
     """The table, its commands, and the matrix.
 
     Attributes
@@ -159,15 +140,17 @@ class CurvePanel(QWidget):
         super().__init__()
         self._curves, self._dialogs, self._theme = curves, dialogs, theme
         self.list = CurveList(curves)
-        self.matrix = named(QTableWidget(), tr("Differences of the averaged spectra"), tr(DELTA))
-        self._hint = label(
+        self.matrix = builders.named(QtWidgets.QTableWidget(), tr("Differences of the averaged spectra"), tr(DELTA))
+        self._hint = builders.label(
             tr("No averaged spectra yet: press Add, or load a curve. They stay here until you remove them."),
             theme.faint,
             wraps=True,
         )
-        self._told = label(colour=theme.faint, wraps=True)
-        self._work = QLabel()
-        self._cancel = tool_button("✕", tr("Stop Averaging"), tr("Stop Averaging"), curves.work.cancel, flat=True)
+        self._told = builders.label(colour=theme.faint, wraps=True)
+        self._work = QtWidgets.QLabel()
+        self._cancel = builders.tool_button(
+            "✕", tr("Stop Averaging"), tr("Stop Averaging"), curves.work.cancel, flat=True
+        )
         self._style_matrix()
         self._lay_out()
         self.list.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
@@ -189,7 +172,7 @@ class CurvePanel(QWidget):
     # -- commands -----------------------------------------------------------------------------------------
 
     def _lay_out(self) -> None:
-        add, more, dialogs = QMenu(self), QMenu(self), self._dialogs
+        add, more, dialogs = QtWidgets.QMenu(self), QtWidgets.QMenu(self), self._dialogs
         for words, act in (
             (tr("This File"), dialogs.add_file),
             (tr("Selection"), dialogs.add_selection),
@@ -206,26 +189,28 @@ class CurvePanel(QWidget):
             (tr("Save Picture…"), dialogs.picture_asked.emit),
         ):
             more.addAction(words, act)
-        buttons: list[QToolButton] = []
+        buttons: list[QtWidgets.QToolButton] = []
         for text, tip, menu in (
             (tr("Add"), tr("Add an averaged spectrum, measured through the filters that are on"), add),
             (tr("Save"), tr("Save or export what is selected in the table; all that is shown if nothing is"), more),
         ):
-            buttons.append(tool_button(text, tip))
-            open_at_once(buttons[-1], menu)
-        remove = tool_button(tr("Remove"), tr("Remove what is selected (Delete); undo restores it"), act=self._remove)
-        parts = QSplitter(Qt.Orientation.Vertical)
-        below = QWidget()
-        column(self._told, (self.matrix, 1), on=below, spacing=2)
+            buttons.append(builders.tool_button(text, tip))
+            builders.open_at_once(buttons[-1], menu)
+        remove = builders.tool_button(
+            tr("Remove"), tr("Remove what is selected (Delete); undo restores it"), act=self._remove
+        )
+        parts = QtWidgets.QSplitter(Qt.Orientation.Vertical)
+        below = QtWidgets.QWidget()
+        builders.column(self._told, (self.matrix, 1), on=below, spacing=2)
         for widget in (self.list, below):
             parts.addWidget(widget)
         parts.setChildrenCollapsible(False)
-        bar = row(*buttons, remove, 1, self._work, self._cancel, spacing=4)
-        column(bar, self._hint, (parts, 1), on=self, margins=(6, 4, 6, 4), spacing=4)
+        bar = builders.row(*buttons, remove, 1, self._work, self._cancel, spacing=4)
+        builders.column(bar, self._hint, (parts, 1), on=self, margins=(6, 4, 6, 4), spacing=4)
 
-    def _menu(self) -> QMenu:
+    def _menu(self) -> QtWidgets.QMenu:
         """Return what can be done with the chosen curves."""
-        menu, chosen, curves = QMenu(self), self._curves.chosen, self._curves
+        menu, chosen, curves = QtWidgets.QMenu(self), self._curves.chosen, self._curves
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         first = self.list.model().index(chosen[0] if chosen else 0, NAME)
         entries: tuple[tuple[str, Callable[[], object]], ...] = (
@@ -249,7 +234,7 @@ class CurvePanel(QWidget):
 
     def _ask_colour(self) -> None:
         chosen = self._curves.chosen
-        colour = QColorDialog.getColor(QColor(self._curves.curves[chosen[0]].colour), self, tr("Colour"))
+        colour = QtWidgets.QColorDialog.getColor(QColor(self._curves.curves[chosen[0]].colour), self, tr("Colour"))
         if colour.isValid():
             self._curves.recolour(chosen, colour.name())
 
@@ -267,7 +252,7 @@ class CurvePanel(QWidget):
 
     def _style_matrix(self) -> None:
         matrix = self.matrix
-        matrix.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        matrix.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
         matrix.verticalHeader().setDefaultSectionSize(22)
         matrix.verticalHeader().setMaximumWidth(110)
         for header in (matrix.verticalHeader(), matrix.horizontalHeader()):
@@ -297,7 +282,7 @@ class CurvePanel(QWidget):
             self.matrix.setVerticalHeaderItem(k, _heading(curve))
             for place, difference in enumerate(differences):
                 known = not math.isnan(difference.decibels)
-                item = QTableWidgetItem(f"{difference.decibels:.1f}" if known else "–")
+                item = QtWidgets.QTableWidgetItem(f"{difference.decibels:.1f}" if known else "–")
                 if place == k:
                     item.setText("")
                 item.setTextAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -306,9 +291,11 @@ class CurvePanel(QWidget):
                 self.matrix.setItem(k, place, item)
 
 
-def _items_of(curve: AveragedSpectrum) -> list[QTableWidgetItem]:
+def _items_of(curve: AveragedSpectrum) -> list[QtWidgets.QTableWidgetItem]:
     level = "–" if math.isnan(curve.level) else f"{curve.level:.1f}"
-    items = [QTableWidgetItem(text) for text in (curve.name, f"{curve.seconds:.1f}", level, _filters(curve))]
+    items = [
+        QtWidgets.QTableWidgetItem(text) for text in (curve.name, f"{curve.seconds:.1f}", level, _filters(curve))
+    ]
     name = items[NAME]
     name.setCheckState(Qt.CheckState.Unchecked if curve.hidden else Qt.CheckState.Checked)
     name.setIcon(_icon(curve))
@@ -321,8 +308,8 @@ def _items_of(curve: AveragedSpectrum) -> list[QTableWidgetItem]:
     return items
 
 
-def _heading(curve: AveragedSpectrum) -> QTableWidgetItem:
-    item = QTableWidgetItem(_icon(curve), curve.name)
+def _heading(curve: AveragedSpectrum) -> QtWidgets.QTableWidgetItem:
+    item = QtWidgets.QTableWidgetItem(_icon(curve), curve.name)
     item.setToolTip(curve.name)
     return item
 

@@ -4,19 +4,9 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+from PySide6 import QtWidgets
 from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QActionGroup, QColor, QIcon, QImage, QKeyEvent, QKeySequence, QMouseEvent, QPainter
-from PySide6.QtWidgets import (
-    QComboBox,
-    QLabel,
-    QMenu,
-    QSizePolicy,
-    QSlider,
-    QStackedWidget,
-    QStyle,
-    QToolButton,
-    QWidget,
-)
 from typing_extensions import override
 
 from phonemeanalyser.desktop.analyse.transport.microphone_bar import MicrophoneBar, RecordButton
@@ -27,16 +17,7 @@ from phonemeanalyser.desktop.session.playback import QUIETEST_DB, Playback
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
-from phonemeanalyser.desktop.widgets.builders import (
-    Rewrapped,
-    StillLabel,
-    choice,
-    column,
-    named,
-    open_at_once,
-    row,
-    silent,
-)
+from phonemeanalyser.desktop.widgets import builders
 from phonemeengine.arrays import UInt8Array, UInt32Array
 from phonemeengine.inspection.whole_sound import FrameState, SoundTracks
 from phonemeengine.phonemes import Phoneme
@@ -53,7 +34,7 @@ NOTHING = len(Phoneme)
 """The code of a column of which no phoneme is known."""
 
 
-class PositionSlider(QWidget):
+class PositionSlider(QtWidgets.QWidget):
     """The whole file as a line; a click or a drag goes there.
 
     Signals
@@ -72,7 +53,7 @@ class PositionSlider(QWidget):
         colours = [*(PHONEME_COLOURS[p] for p in Phoneme), theme.faint]
         self._pixels = np.array([QColor(colour).rgb() for colour in colours], np.uint32)
         self.setMinimumSize(120, 30)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setToolTip(
             tr(
@@ -183,15 +164,15 @@ SPEEDS = (1.0, 0.85, 0.7, 0.5, 0.35, 0.25)
 DEFAULT = tr_noop("System default")
 
 
-class OutputButton(QToolButton):
+class OutputButton(QtWidgets.QToolButton):
     """Says how loud it plays, in dB, and how fast where that is not as usual; its menu has devices and speeds."""
 
     def __init__(self, playback: Playback) -> None:
         super().__init__()
         self._playback = playback
-        self._menu = QMenu(self)
-        open_at_once(self, self._menu)
-        named(
+        self._menu = QtWidgets.QMenu(self)
+        builders.open_at_once(self, self._menu)
+        builders.named(
             self, tr("Output device and speed"), tr("Playback volume in dB; click to choose output device and speed")
         )
         self._menu.aboutToShow.connect(playback.outputs.look)
@@ -240,7 +221,7 @@ LEAST_TIME_WIDTH = 112
 """Of the time, pixels, so that a short one leaves the slider where it is."""
 
 
-class Pages(QStackedWidget):
+class Pages(QtWidgets.QStackedWidget):
     """Widgets of which one is seen, and needs room."""
 
     @override
@@ -255,7 +236,7 @@ class Pages(QStackedWidget):
         return QSize(seen.minimumSizeHint().expandedTo(seen.minimumSize()).width(), most.height()) if seen else most
 
 
-class Transport(Rewrapped):
+class Transport(builders.Rewrapped):
     """The bar above the views: where the sound comes from, what it does, and what belongs to its source.
 
     Signals
@@ -271,13 +252,13 @@ class Transport(Rewrapped):
         super().__init__()
         self._session = session
         self._theme = theme
-        pixmap = QStyle.StandardPixmap
+        pixmap = QtWidgets.QStyle.StandardPixmap
         self.open = self._button(pixmap.SP_DialogOpenButton, tr("Open an audio file (Ctrl+O)"))
         self.play = self._button(pixmap.SP_MediaPlay, tr("Play or pause (Space)"))
         self.stop = self._button(pixmap.SP_MediaStop, tr("Stop (Escape); a file returns to its start"))
         self.record = RecordButton(session, theme)
         self.loop = self._button(pixmap.SP_BrowserReload, tr("Loop playback (L)"))
-        self.source = choice(
+        self.source = builders.choice(
             ((tr(source.value), source) for source in SourceKind),
             tr("Source"),
             tr("Source of the signal: file, microphone, tone or text"),
@@ -287,10 +268,12 @@ class Transport(Rewrapped):
         self.tone = ToneBar(theme)
         self.tone.show_tone(session.playback.tone)
         self.pages = Pages()
-        self.time = named(StillLabel(LEAST_TIME_WIDTH), tip=tr("Position and duration, in minutes and seconds"))
-        self.output, self.channel_label = OutputButton(session.playback), QLabel(tr("Channel"))
-        self.volume = named(QSlider(Qt.Orientation.Horizontal), tr("Volume"))
-        self.channel = choice((), tr("Channel of the file"), tr("Channel of the file that is analysed"))
+        self.time = builders.named(
+            builders.StillLabel(LEAST_TIME_WIDTH), tip=tr("Position and duration, in minutes and seconds")
+        )
+        self.output, self.channel_label = OutputButton(session.playback), QtWidgets.QLabel(tr("Channel"))
+        self.volume = builders.named(QtWidgets.QSlider(Qt.Orientation.Horizontal), tr("Volume"))
+        self.channel = builders.choice((), tr("Channel of the file"), tr("Channel of the file that is analysed"))
         self._wrapped_for: tuple[int, SourceKind] | None = None
         self._first = (self.source, self.open, self.play, self.stop, self.record, self.loop)
         self._last = (self.time, self.output, self.volume, self.channel_label, self.channel)
@@ -316,8 +299,8 @@ class Transport(Rewrapped):
             self.time.setStyleSheet(style)
         self.time.setText(text)
 
-    def _button(self, icon: QStyle.StandardPixmap, tip: str) -> QToolButton:
-        button = named(QToolButton(), tip, tip)
+    def _button(self, icon: QtWidgets.QStyle.StandardPixmap, tip: str) -> QtWidgets.QToolButton:
+        button = builders.named(QtWidgets.QToolButton(), tip, tip)
         button.setIcon(tinted_icon(self.style(), icon, self._theme))
         button.setIconSize(QSize(20, 20))
         return button
@@ -326,14 +309,14 @@ class Transport(Rewrapped):
         self.loop.setCheckable(True)
         self.volume.setRange(int(QUIETEST_DB), 0)
         self.volume.setFixedWidth(80)
-        self.channel.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self.source.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.channel.setSizeAdjustPolicy(QtWidgets.QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.source.setSizePolicy(QtWidgets.QSizePolicy.Policy.Fixed, QtWidgets.QSizePolicy.Policy.Fixed)
         self.time.setAlignment(Qt.AlignmentFlag.AlignCenter)
         for page in (self.position_slider, self.microphone, self.tone):
             self.pages.addWidget(page)
         # What is over at the right is taken while the pages have a row of their own.
-        self._row = row(*self._first, (self.pages, 1), *self._last, 0, spacing=6)
-        self._rows = column(self._row, on=self, margins=(6, 3, 6, 3), spacing=3)
+        self._row = builders.row(*self._first, (self.pages, 1), *self._last, 0, spacing=6)
+        self._rows = builders.column(self._row, on=self, margins=(6, 3, 6, 3), spacing=3)
 
     @override
     def minimumSizeHint(self) -> QSize:
@@ -355,7 +338,7 @@ class Transport(Rewrapped):
             self._rows.removeWidget(self.pages)
             self._row.insertWidget(len(self._first), self.pages, 1)
 
-    def _width_of(self, *widgets: QWidget) -> int:
+    def _width_of(self, *widgets: QtWidgets.QWidget) -> int:
         seen = [w for w in widgets if not w.isHidden()]
         margins = self._rows.contentsMargins()
         needed = sum(max(w.minimumSizeHint().width(), w.minimumWidth()) for w in seen)
@@ -380,7 +363,11 @@ class Transport(Rewrapped):
 
     def _show_state(self) -> None:
         source, playback = self._session.source, self._session.playback
-        icon = QStyle.StandardPixmap.SP_MediaPause if source.playing else QStyle.StandardPixmap.SP_MediaPlay
+        icon = (
+            QtWidgets.QStyle.StandardPixmap.SP_MediaPause
+            if source.playing
+            else QtWidgets.QStyle.StandardPixmap.SP_MediaPlay
+        )
         self.play.setIcon(tinted_icon(self.style(), icon, self._theme))
         key = QKeySequence("Space").toString(QKeySequence.SequenceFormat.NativeText)
         tip = tr("Listen, or release the microphone") if source.kind is SourceKind.MICROPHONE else tr("Play or pause")
@@ -390,7 +377,7 @@ class Transport(Rewrapped):
             if playback.volume > QUIETEST_DB
             else tr("Muted")
         )
-        with silent(self.volume, self.loop):
+        with builders.silent(self.volume, self.loop):
             self.volume.setValue(round(playback.volume))
             self.loop.setChecked(playback.loop)
         self._show_channels()
@@ -415,20 +402,23 @@ class Transport(Rewrapped):
     def _show_page(self) -> None:
         """Show the controls of the source in use."""
         kind = self._session.source.kind
-        pages: dict[SourceKind, QWidget] = {SourceKind.MICROPHONE: self.microphone, SourceKind.TONE: self.tone}
+        pages: dict[SourceKind, QtWidgets.QWidget] = {
+            SourceKind.MICROPHONE: self.microphone,
+            SourceKind.TONE: self.tone,
+        }
         self.pages.setCurrentWidget(pages.get(kind, self.position_slider))
         self.pages.updateGeometry()
-        of_file: tuple[QWidget, ...] = (self.loop, self.channel_label, self.channel)
+        of_file: tuple[QtWidgets.QWidget, ...] = (self.loop, self.channel_label, self.channel)
         for widget in of_file:
             widget.setVisible(kind is SourceKind.FILE)
         for widget in (self.output, self.volume):
             widget.setVisible(kind is not SourceKind.MICROPHONE)
-        needing_a_file: tuple[QWidget, ...] = (self.play, self.stop, self.position_slider)
+        needing_a_file: tuple[QtWidgets.QWidget, ...] = (self.play, self.stop, self.position_slider)
         for widget in needing_a_file:
             widget.setEnabled(kind is not SourceKind.FILE or self._session.path is not None)
 
 
-def tinted_icon(style: QStyle, icon: QStyle.StandardPixmap, theme: Theme) -> QIcon:
+def tinted_icon(style: QtWidgets.QStyle, icon: QtWidgets.QStyle.StandardPixmap, theme: Theme) -> QIcon:
     """Return a standard icon in the theme's text colour."""
     pixmap = style.standardIcon(icon).pixmap(20, 20)
     painter = QPainter(pixmap)

@@ -17,17 +17,7 @@ from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import CENTRED, draw_text, format_clock, letters_on, mixed
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
-from phonemeanalyser.desktop.widgets.builders import (
-    ElidedLabel,
-    choice,
-    column,
-    label,
-    named,
-    open_at_once,
-    row,
-    silent,
-    spoken_button,
-)
+from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.key_filters import ArrowKeys
 from phonemeanalyser.desktop.widgets.lanes import BoundaryDrag, Lane, TimeAxis, wave_pixels
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
@@ -226,8 +216,8 @@ class RecordPanel(QWidget):
         self._theme = theme
         self.buttons = {phoneme: PhonemeButton(phoneme, theme) for phoneme in KEYS}
         self.hint = QLabel()
-        self.start = spoken_button("[", tr("Start the marked range at the playback position ([)"))
-        self.end = spoken_button("]", tr("End the marked range at the playback position (])"))
+        self.start = builders.spoken_button("[", tr("Start the marked range at the playback position ([)"))
+        self.end = builders.spoken_button("]", tr("End the marked range at the playback position (])"))
         self._lay_out()
         self._connect()
         self._show_takes()
@@ -261,7 +251,7 @@ class RecordPanel(QWidget):
         buttons.setSpacing(4)
         for k, button in enumerate(self.buttons.values()):
             buttons.addWidget(button, k // COLUMNS, k % COLUMNS)
-        column(row((self.hint, 1), self.start, self.end), buttons, on=self, spacing=3)
+        builders.column(builders.row((self.hint, 1), self.start, self.end), buttons, on=self, spacing=3)
 
     def _connect(self) -> None:
         calibration = self._calibration
@@ -308,34 +298,38 @@ class TakesPanel(QWidget):
         super().__init__()
         self._calibration = calibration
         self._theme = theme
-        self.project, self.recordings = ElidedLabel(), ElidedLabel()
-        self.open = spoken_button(
+        self.project, self.recordings = builders.ElidedLabel(), builders.ElidedLabel()
+        self.open = builders.spoken_button(
             tr("Folder"), tr("Choose the takes folder, write label files, or remove deleted takes")
         )
-        self.stop = spoken_button("✕", tr("Stop opening this folder; the takes of the last one stay"))
-        self.add = spoken_button(tr("Load"), tr("Load labelled recordings: TextGrid, Audacity labels or CSV"))
-        self.clear = spoken_button("✕", tr("Unload all labelled recordings; their files are kept"))
-        self.speaker = named(
+        self.stop = builders.spoken_button("✕", tr("Stop opening this folder; the takes of the last one stay"))
+        self.add = builders.spoken_button(
+            tr("Load"), tr("Load labelled recordings: TextGrid, Audacity labels or CSV")
+        )
+        self.clear = builders.spoken_button("✕", tr("Unload all labelled recordings; their files are kept"))
+        self.speaker = builders.named(
             QLineEdit(calibration.takes.speaker), tr("Speaker"), tr("Speaker of the takes recorded from now on")
         )
-        self.guide = spoken_button(
+        self.guide = builders.spoken_button(
             tr("Guided Calibration…"), tr("Calibrate to your voice step by step, in under a minute (G)")
         )
-        self.room = spoken_button(
+        self.room = builders.spoken_button(
             tr("Measure Noise"),
             tr("Measure the background noise for two seconds; sets silence and denoising for every recogniser"),
         )
         self.record = RecordPanel(calibration, theme)
         self.list = TakeListView(calibration.takes, theme)
         self.wave = TakeWaveform(calibration.takes, theme)
-        self.play = spoken_button(tr("Play"), tr("Play the trimmed part of the take (Return or double-click)"))
-        self.exclude = spoken_button(
+        self.play = builders.spoken_button(
+            tr("Play"), tr("Play the trimmed part of the take (Return or double-click)")
+        )
+        self.exclude = builders.spoken_button(
             tr("Exclude"), tr("Exclude the selected takes from calibration, or include them again (X)")
         )
-        self.delete = spoken_button(
+        self.delete = builders.spoken_button(
             tr("Delete", "verb"), tr("Delete the selected takes (Delete); Ctrl+Z restores them")
         )
-        self.phoneme = choice(
+        self.phoneme = builders.choice(
             ((sound_name(phoneme), phoneme) for phoneme in KEYS),
             tr("Phoneme of the take"),
             tr("Phoneme of the selected take; choose another to relabel it"),
@@ -374,20 +368,22 @@ class TakesPanel(QWidget):
         menu = QMenu(button)
         for text, act in entries:
             menu.addAction(text, act)
-        open_at_once(button, menu)
+        builders.open_at_once(button, menu)
 
     def _lay_out(self) -> None:
         lines = (
-            row(label(tr("<b>Takes</b>")), (self.project, 1), self.stop, self.open, spacing=5),
-            row(label(tr("Speaker")), self.speaker, spacing=5),
-            row(self.guide, self.room, spacing=5),
+            builders.row(builders.label(tr("<b>Takes</b>")), (self.project, 1), self.stop, self.open, spacing=5),
+            builders.row(builders.label(tr("Speaker")), self.speaker, spacing=5),
+            builders.row(self.guide, self.room, spacing=5),
             self.record,
             (self.list, 1),
             self.wave,
-            row(self.play, (self.phoneme, 1), self.exclude, self.delete, spacing=5),
-            row(label(tr("<b>Recordings</b>")), (self.recordings, 1), self.clear, self.add, spacing=5),
+            builders.row(self.play, (self.phoneme, 1), self.exclude, self.delete, spacing=5),
+            builders.row(
+                builders.label(tr("<b>Recordings</b>")), (self.recordings, 1), self.clear, self.add, spacing=5
+            ),
         )
-        column(*lines, on=self, margins=(8, 6, 6, 6), spacing=5)
+        builders.column(*lines, on=self, margins=(8, 6, 6, 6), spacing=5)
         self.setFixedWidth(WIDTH)
 
     def _connect(self) -> None:
@@ -475,7 +471,7 @@ class TakesPanel(QWidget):
             widget.setEnabled(take is not None)
         self.exclude.setText(tr("Include") if take is not None and take.excluded else tr("Exclude"))
         if take is not None:
-            with silent(self.phoneme):
+            with builders.silent(self.phoneme):
                 self.phoneme.setCurrentIndex(self.phoneme.findData(take.phoneme))
 
 

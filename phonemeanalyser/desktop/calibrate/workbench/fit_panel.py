@@ -5,12 +5,7 @@ from pathlib import Path
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QLabel, QProgressBar, QPushButton, QSizePolicy, QTabWidget, QWidget
 
-from phonemeanalyser.desktop.calibrate.workbench.figures_table import (
-    ChangesTable,
-    FiguresTable,
-    SegmentList,
-    SegmentRow,
-)
+from phonemeanalyser.desktop.calibrate.workbench import figures_table
 from phonemeanalyser.desktop.calibrate.workbench.fit_model import ComparisonModel, FitModel
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr
@@ -35,7 +30,7 @@ class FitPanel(QWidget):
         self.refuse = named(QPushButton(tr("Discard")), tip=tr("Leave the preset unchanged"))
         self.progress = QProgressBar()
         self.words = label(wraps=True)
-        self.figures = FiguresTable((tr("Before"), tr("After"), tr("Held out")), theme)
+        self.figures = figures_table.FiguresTable((tr("Before"), tr("After"), tr("Held out")), theme)
         self._lay_out()
         self._connect()
         self.show_state()
@@ -126,12 +121,12 @@ class ComparePanel(QWidget):
             QCheckBox(tr("Difference in matrix")),
             tip=tr("Show in the confusion matrix how much more often the current preset gives each result"),
         )
-        self.figures = FiguresTable((A, B, f"{B} − {A}"), theme)
+        self.figures = figures_table.FiguresTable((A, B, f"{B} − {A}"), theme)
         self.own, self.others = (
-            SegmentList(words.format(letter=letter), tr("Label → error"))
+            figures_table.SegmentList(words.format(letter=letter), tr("Label → error"))
             for letter, words in ((A, tr("Only {letter} correct")), (B, tr("Only {letter} correct")))
         )
-        self.changes = ChangesTable()
+        self.changes = figures_table.ChangesTable()
         self.tabs = QTabWidget()
         self.tabs.tabBar().setAccessibleName(tr("Comparison tabs"))
         self._lay_out()
@@ -230,6 +225,6 @@ class ComparePanel(QWidget):
         return words.format(letter=better, **{name: f"{100 * share:.1f}" for name, share in shares.items()})
 
 
-def _row_of(stretch: DifferingSegment) -> SegmentRow:
+def _row_of(stretch: DifferingSegment) -> figures_table.SegmentRow:
     words = f"{sound_name(stretch.label)} → {sound_name(stretch.wrong)}"
-    return SegmentRow(stretch.utterance.path, stretch.start, stretch.end, words)
+    return figures_table.SegmentRow(stretch.utterance.path, stretch.start, stretch.end, words)

@@ -3,18 +3,9 @@
 import math
 from functools import partial
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QShowEvent
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QHeaderView,
-    QLabel,
-    QMenu,
-    QPushButton,
-    QTableWidget,
-    QTableWidgetItem,
-    QWidget,
-)
 from typing_extensions import override
 
 from phonemeanalyser.desktop.calibrate.workbench.phoneme_data_model import PhonemeDataModel
@@ -49,7 +40,7 @@ TAKEN = Qt.ItemDataRole.UserRole
 """The value that a click on a cell takes."""
 
 
-class PhonemeDataPanel(QWidget):
+class PhonemeDataPanel(QtWidgets.QWidget):
     """Edits the numbers: in the cell, by a click on a measured value, or fitted; and the sets for ranges of pitch.
 
     Signals
@@ -81,18 +72,21 @@ class PhonemeDataPanel(QWidget):
                 "removes the set"
             ),
         )
-        self.remove = named(QPushButton(tr("Remove Set")), tip=tr("Remove this pitch set; Ctrl+Z restores it"))
+        self.remove = named(
+            QtWidgets.QPushButton(tr("Remove Set")), tip=tr("Remove this pitch set; Ctrl+Z restores it")
+        )
         self.fit_all = named(
-            QPushButton(tr("Fit All Numbers")),
+            QtWidgets.QPushButton(tr("Fit All Numbers")),
             tip=tr("Fit all thresholds to the loaded takes and recordings; Ctrl+Z restores the old ones"),
         )
         self.fit_row = named(
-            QPushButton(tr("Fit Number")), tip=tr("Fit the number of the selected row, with all others as they are")
+            QtWidgets.QPushButton(tr("Fit Number")),
+            tip=tr("Fit the number of the selected row, with all others as they are"),
         )
         self.state = label(wraps=True)
-        self.in_use = QLabel()
+        self.in_use = QtWidgets.QLabel()
         self.table = named(
-            QTableWidget(0, FIRST),
+            QtWidgets.QTableWidget(0, FIRST),
             "PhonemeData",
             tr(
                 "<p>Each number with its variable and comparison. Below each other: the sounds for which the "
@@ -206,10 +200,10 @@ class PhonemeDataPanel(QWidget):
             item = self._put(line, first + k, "–" if value is None else _written(value), self._theme.text)
             item.setData(TAKEN, value)
 
-    def _put(self, line: int, column: int, text: str, colour: str, *, tip: str = "") -> QTableWidgetItem:
+    def _put(self, line: int, column: int, text: str, colour: str, *, tip: str = "") -> QtWidgets.QTableWidgetItem:
         item = self.table.item(line, column)
         if item is None:
-            item = QTableWidgetItem()
+            item = QtWidgets.QTableWidgetItem()
             self.table.setItem(line, column, item)
         item.setText(text)
         item.setFlags(Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable)
@@ -243,7 +237,7 @@ class PhonemeDataPanel(QWidget):
         if value is not None:
             self._model.set_number(self._lines[line][0].name, float(f"{value:.4g}"))
 
-    def _type(self, item: QTableWidgetItem) -> None:
+    def _type(self, item: QtWidgets.QTableWidgetItem) -> None:
         """Use the number that was typed."""
         if item.column() == VALUE:
             self._model.type_number(self._lines[item.row()][0].name, item.text())
@@ -267,9 +261,10 @@ class PhonemeDataPanel(QWidget):
 
     def _lay_out(self) -> None:
         table = self.table
-        table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        table.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.SingleSelection)
         table.setEditTriggers(
-            QAbstractItemView.EditTrigger.DoubleClicked | QAbstractItemView.EditTrigger.EditKeyPressed
+            QtWidgets.QAbstractItemView.EditTrigger.DoubleClicked
+            | QtWidgets.QAbstractItemView.EditTrigger.EditKeyPressed
         )
         table.setTabKeyNavigation(False)
         table.setWordWrap(False)
@@ -278,9 +273,9 @@ class PhonemeDataPanel(QWidget):
             header.setHighlightSections(False)
         heads = table.horizontalHeader()  # of two lines from the start: else the rows move, and leave a trace below
         heads.setFixedHeight(2 * heads.fontMetrics().lineSpacing() + 6)
-        table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        table.verticalHeader().setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.Fixed)
         let_copy(table)
-        open_at_once(self.add, QMenu(self.add))
+        open_at_once(self.add, QtWidgets.QMenu(self.add))
         tab_buttons(self.fit_all, self.fit_row, self.remove)
         buttons = (self.sets, self.low, self.high, self.fit_all, self.fit_row, self.add, self.remove, 1)
         column(

@@ -16,16 +16,7 @@ from phonemeanalyser.desktop.calibrate.workbench.variables_panel import Variable
 from phonemeanalyser.desktop.engine_words import recogniser_title, sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import (
-    ElidedLabel,
-    Scrolled,
-    choice,
-    column,
-    label,
-    leave_wheel,
-    named,
-    row,
-)
+from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.distribution import DistributionView
 from phonemeanalyser.desktop.widgets.fields import NumberField
 from phonemeanalyser.desktop.widgets.figures import classes_in_words, colour_of_changes, figure_in_words
@@ -44,27 +35,27 @@ class RulesPanel(QWidget):
     def __init__(self, finding: RuleFinding, theme: Theme) -> None:
         super().__init__()
         self._finding = finding
-        self.begin = named(
+        self.begin = builders.named(
             QPushButton(tr("Find Rules")), tip=tr("Find a few rules in the loaded takes and recordings")
         )
-        self.stop = named(QPushButton(tr("Cancel")), tip=tr("Stop the search; the preset stays unchanged"))
-        self.accept = named(
+        self.stop = builders.named(QPushButton(tr("Cancel")), tip=tr("Stop the search; the preset stays unchanged"))
+        self.accept = builders.named(
             QPushButton(tr("Apply")), tip=tr("Recognise with these rules; Ctrl+Z restores the preset")
         )
-        self.refuse = named(QPushButton(tr("Discard")), tip=tr("Leave the preset unchanged"))
-        self.conditions = named(
+        self.refuse = builders.named(QPushButton(tr("Discard")), tip=tr("Leave the preset unchanged"))
+        self.conditions = builders.named(
             NumberField(1, 500),
             tr("Maximum conditions"),
             tr("Maximum number of conditions of all rules together; fewer are easier to read"),
         )
         tip = tr("What rules may compare: frequency bands, with filters that suit them, or the preset's variables")
-        self.variables = choice(
+        self.variables = builders.choice(
             [(tr("Frequency bands"), True), (tr("Variables of the preset"), False)], tr("Variables"), tip
         )
         self.progress = QProgressBar()
-        self.words = label(wraps=True)
+        self.words = builders.label(wraps=True)
         self.figures = FiguresTable((tr("Before"), tr("After"), tr("Held out")), theme)
-        self.rules = named(QPlainTextEdit(), tr("Rules found"))
+        self.rules = builders.named(QPlainTextEdit(), tr("Rules found"))
         self._lay_out()
         self._connect()
         self.show_state()
@@ -116,14 +107,14 @@ class RulesPanel(QWidget):
         buttons = (self.begin, self.progress, self.stop, self.accept, self.refuse)
         for widget in (*buttons, self.conditions, self.variables):
             widget.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        column(
-            row(*buttons, 1),
-            row(self.variables, 1),
-            row(label(tr("Maximum conditions")), self.conditions, 1),
+        builders.column(
+            builders.row(*buttons, 1),
+            builders.row(self.variables, 1),
+            builders.row(builders.label(tr("Maximum conditions")), self.conditions, 1),
             self.words, self.figures, (self.rules, 1), 0,
             on=self, margins=(6, 6, 6, 4),
         )  # fmt: skip
-        leave_wheel(self)
+        builders.leave_wheel(self)
 
     def _connect(self) -> None:
         self.begin.clicked.connect(self.search)
@@ -161,8 +152,8 @@ class WorkbenchView(QWidget):
         self.upper = QTabWidget()
         self.upper.tabBar().setAccessibleName(tr("Variables or PhonemeData"))
         self.confusion = ConfusionView(theme)
-        self.cell = label(wraps=True)
-        self.about = ElidedLabel()
+        self.cell = builders.label(wraps=True)
+        self.about = builders.ElidedLabel()
         self.about.setStyleSheet(f"color: {theme.faint}")
         self.figures = QLabel()
         self._about_figures = tr(
@@ -174,7 +165,7 @@ class WorkbenchView(QWidget):
         self.segments = SegmentList(tr("Segments in the cell"), "")
         self.fit = FitPanel(calibration.fit, theme)
         self.rules = RulesPanel(calibration.rule_finding, theme)
-        self._found = Scrolled(self.rules)
+        self._found = builders.Scrolled(self.rules)
         self.compare = ComparePanel(calibration.comparison, picker, theme)
         self.tabs = QTabWidget()
         self.tabs.tabBar().setAccessibleName(tr("Workbench tabs"))
@@ -187,17 +178,17 @@ class WorkbenchView(QWidget):
 
     def _lay_out(self) -> None:
         variables, listed = QWidget(), QWidget()
-        row((self.variables, 1), (self.distribution, 3), on=variables, spacing=0)
+        builders.row((self.variables, 1), (self.distribution, 3), on=variables, spacing=0)
         self.upper.addTab(variables, tr("Variables"))
         self.upper.addTab(self.phoneme_data, "PhonemeData")
         self.upper.setDocumentMode(True)
         self.upper.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        column(self.cell, (self.segments, 1), on=listed, margins=(6, 6, 6, 4))
+        builders.column(self.cell, (self.segments, 1), on=listed, margins=(6, 6, 6, 4))
         for widget, name in (
             (listed, tr("Segments")),
-            (Scrolled(self.fit), tr("Fit")),
+            (builders.Scrolled(self.fit), tr("Fit")),
             (self._found, tr("Rules")),
-            (Scrolled(self.compare), tr("Compare")),
+            (builders.Scrolled(self.compare), tr("Compare")),
         ):
             self.tabs.addTab(widget, name)
         self.tabs.setFocusPolicy(Qt.FocusPolicy.TabFocus)
@@ -210,8 +201,8 @@ class WorkbenchView(QWidget):
         self.rows.setSizes([320, 300])
         for splitter in (self.rows, self.columns):
             splitter.setChildrenCollapsible(False)
-        below = row(self.figures, (self.about, 1), margins=(8, 3, 8, 3), spacing=16)
-        column((self.rows, 1), below, self.timeline, on=self, spacing=0)
+        below = builders.row(self.figures, (self.about, 1), margins=(8, 3, 8, 3), spacing=16)
+        builders.column((self.rows, 1), below, self.timeline, on=self, spacing=0)
 
     def _connect(self) -> None:
         calibration = self._calibration

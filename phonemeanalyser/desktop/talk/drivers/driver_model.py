@@ -19,13 +19,7 @@ from phonemeengine.execution import Progress, report_progress
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.face_driver import NEEDS_FILE, FaceDriver, usual_driver
 from phonemeengine.mouth.performer import MouthTrack
-from phonemeengine.performance.face_network import (
-    FaceFollower,
-    FaceFrames,
-    FaceNetwork,
-    FaceNetworkTrack,
-    load_face_network,
-)
+from phonemeengine.performance import face_network
 from phonemeengine.performance.spoken_face import SpokenFace
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
 from phonemeengine.speech.pinyin.table import load_pinyin_table
@@ -54,17 +48,17 @@ class NetworkModel(OpenedFiles):
     info = Signal(str)
 
     def __init__(self) -> None:
-        super().__init__(load_face_network, _opened)
-        self.face: FaceFrames | None = None
-        self._follower: FaceFollower | None = None
-        self._state: tuple[FaceNetwork | None, NetworkSound | None] = None, None
+        super().__init__(face_network.load_face_network, _opened)
+        self.face: face_network.FaceFrames | None = None
+        self._follower: face_network.FaceFollower | None = None
+        self._state: tuple[face_network.FaceNetwork | None, NetworkSound | None] = None, None
         self._work = TaskQueue(self.error.emit)
         self._work.changed.connect(self.changed)
 
     @property
-    def network(self) -> FaceNetwork | None:
+    def network(self) -> face_network.FaceNetwork | None:
         """The network in use; None for none."""
-        network: FaceNetwork | None = self._value
+        network: face_network.FaceNetwork | None = self._value
         return network
 
     @property
@@ -97,7 +91,7 @@ class NetworkModel(OpenedFiles):
         if told and network.notes:
             self.info.emit(tr("{network}: {note}.").format(network=network.name, note="; ".join(network.notes)))
         if sound is None:
-            self._show(FaceFrames(network), FaceFollower(network))
+            self._show(face_network.FaceFrames(network), face_network.FaceFollower(network))
         else:
             self._work.replace(lambda progress: _followed(network, sound, progress), self._show)
 
@@ -111,7 +105,7 @@ class NetworkModel(OpenedFiles):
     def begin_again(self) -> None:
         """Forget the frames so far, since the sound goes on elsewhere."""
         if self.face is not None and self._follower is not None and self.network is not None:
-            self._follower = FaceFollower(self.network)
+            self._follower = face_network.FaceFollower(self.network)
             self.face.clear()
 
     def close(self) -> None:
@@ -119,18 +113,18 @@ class NetworkModel(OpenedFiles):
         for work in (self._opening, self._work):
             work.close(CLOSE_TIMEOUT)
 
-    def _show(self, face: FaceFrames | None, follower: FaceFollower | None = None) -> None:
+    def _show(self, face: face_network.FaceFrames | None, follower: face_network.FaceFollower | None = None) -> None:
         if face is not self.face:
             self.face, self._follower = face, follower
             self.followed.emit()
 
 
-def _opened(path: Path) -> tuple[FaceNetwork, FaceNetwork]:
-    network = load_face_network(path)
+def _opened(path: Path) -> tuple[face_network.FaceNetwork, face_network.FaceNetwork]:
+    network = face_network.load_face_network(path)
     return network, network
 
 
-def _followed(network: FaceNetwork, sound: NetworkSound, progress: Progress) -> FaceFrames:
+def _followed(network: face_network.FaceNetwork, sound: NetworkSound, progress: Progress) -> face_network.FaceFrames:
     with SoundReader(*sound) as reader:
 
         def blocks() -> Iterator[Float32Array]:
@@ -140,7 +134,7 @@ def _followed(network: FaceNetwork, sound: NetworkSound, progress: Progress) -> 
                 done += len(block) / SAMPLE_RATE
                 report_progress(progress, min(1.0, done / max(reader.duration, FRAME_PERIOD)))
 
-        return FaceNetworkTrack(network, blocks()).mouth()
+        return face_network.FaceNetworkTrack(network, blocks()).mouth()
 
 
 OTHER_PRESET = "preset"

@@ -7,22 +7,7 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.expression.osc_model import OscModel
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import (
-    ElidedLabel,
-    choice,
-    column,
-    fill_rows,
-    grid,
-    heading,
-    label,
-    named,
-    row,
-    show_removable,
-    silent,
-    slider_of_percent,
-    spoken_button,
-    tool_button,
-)
+from phonemeanalyser.desktop.widgets import builders
 
 RECORDING = tr_noop(
     "Load a face that Live Link Face or OpenFace captured (CSV), and show it along with the speech, in sync with the "
@@ -73,38 +58,38 @@ class ExpressionPanel(QWidget):
             name: _slider(tr("Strength of the expression: {name}").format(name=tr(name)))
             for name in self._model.shares
         }
-        self._percents = {name: label(width=PERCENT_WIDTH) for name in self._model.shares}
+        self._percents = {name: builders.label(width=PERCENT_WIDTH) for name in self._model.shares}
         for name, percent in self._percents.items():
             percent.setToolTip(self.sliders[name].toolTip())
         tip = tr(
             "How far this follows the voice: lively, loud and high speech lifts, relaxed speech lowers, each "
             "compared with the speaker’s usual voice"
         )
-        self.following = {part: slider_of_percent(tr(words), tip) for part, words in FOLLOWING.items()}
-        self._amounts = {part: label(width=PERCENT_WIDTH) for part in FOLLOWING}
+        self.following = {part: builders.slider_of_percent(tr(words), tip) for part, words in FOLLOWING.items()}
+        self._amounts = {part: builders.label(width=PERCENT_WIDTH) for part in FOLLOWING}
         for percent in self._amounts.values():
             percent.setToolTip(tip)
-        self.text_feeling = slider_of_percent(
+        self.text_feeling = builders.slider_of_percent(
             tr("Face follows the text"),
             tr(
                 "How far the face shows what the text says of feeling: [smile], [angry 0.6], emoji, good and bad "
                 "words; the lane Feeling of the timeline shows and edits it"
             ),
         )
-        self._of_text = label(width=PERCENT_WIDTH)
+        self._of_text = builders.label(width=PERCENT_WIDTH)
         self._of_text.setToolTip(self.text_feeling.toolTip())
-        self.neutral = tool_button(tr("Neutral"), tr("Set all sliders to 0"))
+        self.neutral = builders.tool_button(tr("Neutral"), tr("Set all sliders to 0"))
 
     def _make_inputs(self) -> None:
         """Make what shows and sets the speech's share, and what takes expressions from files and programs."""
-        self.priority = slider_of_percent(
+        self.priority = builders.slider_of_percent(
             tr("Speech priority"),
             tr(
                 "How much of the lips and the jaw speech controls; the expression controls the rest. At 50 %, "
                 "both are applied in full"
             ),
         )
-        self.meter = named(
+        self.meter = builders.named(
             QProgressBar(),
             tr("Reduced by speech"),
             tr(
@@ -115,16 +100,16 @@ class ExpressionPanel(QWidget):
         self.meter.setRange(0, 100)
         self.meter.setTextVisible(False)
         self.meter.setFixedHeight(METER_HEIGHT)
-        self.file = spoken_button(tr("Load Face Capture…"), tr(RECORDING))
-        self.state = ElidedLabel()
-        self.switch = named(
+        self.file = builders.spoken_button(tr("Load Face Capture…"), tr(RECORDING))
+        self.state = builders.ElidedLabel()
+        self.switch = builders.named(
             QCheckBox(tr("Receive OSC at")),
             tip=tr(
                 "Show expressions that other programs send: /expression NAME 0..1, or the blend shapes of a face "
                 "tracker (VMC)"
             ),
         )
-        self.address = named(
+        self.address = builders.named(
             QLineEdit(),
             tr("Address for receiving expressions"),
             tr("Address (HOST:PORT) at which messages of other programs are received, such as 127.0.0.1:39540"),
@@ -144,31 +129,37 @@ class ExpressionPanel(QWidget):
             self.state.setStyleSheet(f"color: {colour}")
 
     def _lay_out(self, theme: Theme) -> None:
-        shares = grid(across=5, down=3)
-        fill_rows(
+        shares = builders.grid(across=5, down=3)
+        builders.fill_rows(
             shares,
-            [(label(tr(name).capitalize()), self.sliders[name], self._percents[name]) for name in self.sliders],
-        )
-        following = grid(across=5, down=3)
-        fill_rows(
-            following,
             [
-                *((label(tr(words)), self.following[p], self._amounts[p]) for p, words in FOLLOWING.items()),
-                (label(self.text_feeling.accessibleName()), self.text_feeling, self._of_text),
+                (builders.label(tr(name).capitalize()), self.sliders[name], self._percents[name])
+                for name in self.sliders
             ],
         )
-        others = grid(across=8, down=4)
+        following = builders.grid(across=5, down=3)
+        builders.fill_rows(
+            following,
+            [
+                *((builders.label(tr(words)), self.following[p], self._amounts[p]) for p, words in FOLLOWING.items()),
+                (builders.label(self.text_feeling.accessibleName()), self.text_feeling, self._of_text),
+            ],
+        )
+        others = builders.grid(across=8, down=4)
         others.addWidget(self.file, 0, 0, 1, 3, Qt.AlignmentFlag.AlignLeft)
         for place, widget in enumerate((self.switch, self.address, self.state)):
             others.addWidget(widget, 1, place)
         others.setColumnStretch(1, 1)
         others.setColumnStretch(2, 1)
-        priority, reduced = label(tr("Speech priority"), theme.faint), label(tr("Reduced by speech"), theme.faint)
-        column(
-            row((heading(tr("Expression")), 1), self.neutral),
+        priority, reduced = (
+            builders.label(tr("Speech priority"), theme.faint),
+            builders.label(tr("Reduced by speech"), theme.faint),
+        )
+        builders.column(
+            builders.row((builders.heading(tr("Expression")), 1), self.neutral),
             shares,
             following,
-            row(priority, (self.priority, 1), reduced, (self.meter, 1), spacing=8),
+            builders.row(priority, (self.priority, 1), reduced, (self.meter, 1), spacing=8),
             others,
             on=self,
             spacing=4,
@@ -200,14 +191,14 @@ class ExpressionPanel(QWidget):
 
     def _show_state(self) -> None:
         for name, share in self._model.shares.items():
-            with silent(self.sliders[name]):
+            with builders.silent(self.sliders[name]):
                 self.sliders[name].setValue(round(100 * share))
             self._percents[name].setText(f"{100 * share:.0f} %")
         for part, amount in self._model.feeling.items():
-            with silent(self.following[part]):
+            with builders.silent(self.following[part]):
                 self.following[part].setValue(round(100 * amount))
             self._amounts[part].setText(f"{100 * amount:.0f} %")
-        with silent(self.priority, self.text_feeling):
+        with builders.silent(self.priority, self.text_feeling):
             self.priority.setValue(round(100 * self._model.priority))
             self.text_feeling.setValue(round(100 * self._model.text_feeling))
         self._of_text.setText(f"{100 * self._model.text_feeling:.0f} %")
@@ -215,10 +206,10 @@ class ExpressionPanel(QWidget):
         self.neutral.setEnabled(any(moved))
         path, received = self._model.path, self._model.input
         if path is None:
-            named(self.file, tr(RECORDING), tr(RECORDING)).setText(tr("Load Face Capture…"))
+            builders.named(self.file, tr(RECORDING), tr(RECORDING)).setText(tr("Load Face Capture…"))
         else:
-            show_removable(self.file, path.name, tr("Remove the face capture {path}").format(path=path))
-        with silent(self.switch):
+            builders.show_removable(self.file, path.name, tr("Remove the face capture {path}").format(path=path))
+        with builders.silent(self.switch):
             self.switch.setChecked(received.on)
         if not self.address.hasFocus() or not self.address.isModified():
             self.address.setText(received.address)
@@ -226,7 +217,7 @@ class ExpressionPanel(QWidget):
 
 
 def _slider(name: str) -> QSlider:
-    return slider_of_percent(name, name)
+    return builders.slider_of_percent(name, name)
 
 
 class OscPanel(QWidget):
@@ -236,29 +227,29 @@ class OscPanel(QWidget):
         super().__init__()
         self._osc = osc
         self._theme = theme
-        self.switch = named(
+        self.switch = builders.named(
             QCheckBox(tr("Send OSC to")),
             tip=tr(
                 "Send phonemes, mouth shapes and blend shape weights over the network, as OSC messages of the VMC "
                 "protocol that VTuber programs use"
             ),
         )
-        self.address = named(
+        self.address = builders.named(
             QLineEdit(),
             tr("Receiver of the OSC messages"),
             tr("Address (HOST:PORT) of the program that receives the messages, such as 127.0.0.1:39539"),
         )
         self.address.setPlaceholderText("HOST:PORT")
-        self.table = choice(
+        self.table = builders.choice(
             ((words, name) for name, words in osc.tables.items()),
             tr("Blend shapes to send"),
             tr("Set of blend shapes that the receiving avatar has: that of the head’s mouth table, or another one"),
         )
         self.state = QLabel()
-        fields = grid(self, down=4)
+        fields = builders.grid(self, down=4)
         fields.addWidget(self.switch, 0, 0)
         fields.addWidget(self.address, 0, 1)
-        fields.addWidget(label(self.table.accessibleName()), 1, 0)
+        fields.addWidget(builders.label(self.table.accessibleName()), 1, 0)
         fields.addWidget(self.table, 1, 1)
         fields.addWidget(self.state, 2, 1)
         fields.setColumnStretch(1, 1)
@@ -281,7 +272,7 @@ class OscPanel(QWidget):
 
     def _show_state(self) -> None:
         osc = self._osc
-        with silent(self.switch):
+        with builders.silent(self.switch):
             self.switch.setChecked(osc.on)
         if not self.address.hasFocus() or not self.address.isModified():
             self.address.setText(osc.address)

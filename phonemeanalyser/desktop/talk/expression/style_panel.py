@@ -10,22 +10,7 @@ from PySide6.QtWidgets import QTableWidget, QTableWidgetItem, QWidget
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.expression.style_model import StyleModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import (
-    choice,
-    column,
-    fill_rows,
-    grid,
-    heading,
-    label,
-    named,
-    offer,
-    row,
-    silent,
-    slider_of_percent,
-    spoken_button,
-    style_list,
-    toggle_button,
-)
+from phonemeanalyser.desktop.widgets import builders
 from phonemeengine.mouth.blendshape_names import both_sides
 from phonemeengine.mouth.expression.channels import shipped_channels
 from phonemeengine.mouth.style import AMOUNTS, limits_of
@@ -86,19 +71,23 @@ class StylePanel(QWidget):
         super().__init__()
         self._model = styles
         tip = tr("Style in which the face speaks: a built-in one, or one of your own from the styles folder")
-        self.lists = {side: choice((), tr("Style {side}").format(side=side), tip) for side in styles.names}
+        self.lists = {side: builders.choice((), tr("Style {side}").format(side=side), tip) for side in styles.names}
         self.edits = {
-            side: toggle_button(side, tr("Edit the style of side {side} below").format(side=side))
+            side: builders.toggle_button(side, tr("Edit the style of side {side} below").format(side=side))
             for side in styles.names
         }
-        self.blend = slider_of_percent(tr("Blend of styles"), tr("From the style of side A to that of side B"))
-        self._blended = label(width=PERCENT_WIDTH)
-        self.sliders = {name: slider_of_percent(tr(words), tr(tip)) for name, (words, tip) in AMOUNT_WORDS.items()}
-        self._percents = {name: label(width=PERCENT_WIDTH) for name in AMOUNTS}
+        self.blend = builders.slider_of_percent(
+            tr("Blend of styles"), tr("From the style of side A to that of side B")
+        )
+        self._blended = builders.label(width=PERCENT_WIDTH)
+        self.sliders = {
+            name: builders.slider_of_percent(tr(words), tr(tip)) for name, (words, tip) in AMOUNT_WORDS.items()
+        }
+        self._percents = {name: builders.label(width=PERCENT_WIDTH) for name in AMOUNTS}
         self._blended.setToolTip(self.blend.toolTip())
         for name, percent in self._percents.items():
             percent.setToolTip(self.sliders[name].toolTip())
-        self.part = choice(
+        self.part = builders.choice(
             ((tr(words), name) for name, words in TABLES.items()),
             tr("Table of the style"),
             tr(
@@ -106,37 +95,40 @@ class StylePanel(QWidget):
                 "width and firmness act on rules, too, priorities on recorded faces, where poses overlap"
             ),
         )
-        self.table = named(QTableWidget(), tr("Poses and numbers of the style"))
+        self.table = builders.named(QTableWidget(), tr("Poses and numbers of the style"))
         self.table.setFixedHeight(TABLE_HEIGHT)
-        self.fit = spoken_button(
+        self.fit = builders.spoken_button(
             tr("Fit to Recorded Faces"),
             tr("Set reach, speed, closures and asymmetry so that rules move most like the recorded faces in use"),
         )
-        self.save = spoken_button(tr("Save"), tr("Save the style to its file"))
-        self.save_as = spoken_button(tr("Save As…"), tr("Save the style under another name"))
-        self.rename = spoken_button(tr("Rename…"), tr("Give your own style and its file another name"))
-        self.revert = spoken_button(tr("Revert"), tr("Undo all changes to the style since it was saved"))
+        self.save = builders.spoken_button(tr("Save"), tr("Save the style to its file"))
+        self.save_as = builders.spoken_button(tr("Save As…"), tr("Save the style under another name"))
+        self.rename = builders.spoken_button(tr("Rename…"), tr("Give your own style and its file another name"))
+        self.revert = builders.spoken_button(tr("Revert"), tr("Undo all changes to the style since it was saved"))
         self._lay_out(theme)
         self._connect()
         self._show_state()
 
     def _lay_out(self, theme: Theme) -> None:
-        sides = grid(across=5, down=3)
-        fill_rows(sides, [(self.edits[side], self.lists[side]) for side in self.lists])
-        amounts = grid(across=5, down=3)
-        blended = label(tr("A to B"))
+        sides = builders.grid(across=5, down=3)
+        builders.fill_rows(sides, [(self.edits[side], self.lists[side]) for side in self.lists])
+        amounts = builders.grid(across=5, down=3)
+        blended = builders.label(tr("A to B"))
         blended.setToolTip(self.blend.toolTip())
         rows = [
-            (label(tr(words)), self.sliders[name], self._percents[name]) for name, (words, _) in AMOUNT_WORDS.items()
+            (builders.label(tr(words)), self.sliders[name], self._percents[name])
+            for name, (words, _) in AMOUNT_WORDS.items()
         ]
-        fill_rows(amounts, [(blended, self.blend, self._blended), *rows])
-        shown = label(tr("Table"), theme.faint)
-        column(
-            row((heading(tr("Style")), 1), self.save, self.save_as, self.rename, self.revert, spacing=4),
+        builders.fill_rows(amounts, [(blended, self.blend, self._blended), *rows])
+        shown = builders.label(tr("Table"), theme.faint)
+        builders.column(
+            builders.row(
+                (builders.heading(tr("Style")), 1), self.save, self.save_as, self.rename, self.revert, spacing=4
+            ),
             sides,
             amounts,
-            row(self.fit, 1),
-            row(shown, (self.part, 1), spacing=6),
+            builders.row(self.fit, 1),
+            builders.row(shown, (self.part, 1), spacing=6),
             self.table,
             on=self,
             spacing=4,
@@ -170,12 +162,12 @@ class StylePanel(QWidget):
         known += tuple(sorted({*filter(None, model.names.values())} - {*known}))
         for side, box in self.lists.items():
             none = [(tr("No style"), "")] if side == "B" else []
-            with silent(box):
-                offer(box, [*none, *((self._named(name), name) for name in known)], model.names[side])
+            with builders.silent(box):
+                builders.offer(box, [*none, *((self._named(name), name) for name in known)], model.names[side])
             self.edits[side].setChecked(model.side == side)
         self.edits["B"].setEnabled(bool(model.names["B"]))
         self.blend.setEnabled(bool(model.names["B"]))
-        with silent(self.blend, *self.sliders.values()):
+        with builders.silent(self.blend, *self.sliders.values()):
             self.blend.setValue(round(100 * model.amount))
             for name, slider in self.sliders.items():
                 slider.setValue(round(100 * getattr(model.edited, name)))
@@ -195,7 +187,7 @@ class StylePanel(QWidget):
 
     def _show_table(self) -> None:
         part, style = self.part.currentData(), self._model.edited
-        with silent(self.table):
+        with builders.silent(self.table):
             if part in {"closures", "tongue"}:
                 self._fill(
                     (tr("Sound"), tr("Priority"), tr("Width"), tr("Firm"), tr("Shape (%)")),
@@ -228,7 +220,7 @@ class StylePanel(QWidget):
         tips = {tr(title): tr(tip) for title, tip in HEAD_TIPS.items()}
         for k, title in enumerate(titles):
             table.model().setHeaderData(k, Qt.Orientation.Horizontal, tips.get(title), Qt.ItemDataRole.ToolTipRole)
-        style_list(table, ROW_HEIGHT, widths)
+        builders.style_list(table, ROW_HEIGHT, widths)
         table.setEditTriggers(QTableWidget.EditTrigger.DoubleClicked | QTableWidget.EditTrigger.EditKeyPressed)
         for k, values in enumerate(rows):
             for column_, value in enumerate(values):

@@ -10,18 +10,7 @@ from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.head.face_model import FaceModel
-from phonemeanalyser.desktop.widgets.builders import (
-    ElidedLabel,
-    choice,
-    column,
-    dialog_buttons,
-    label,
-    leave_wheel,
-    named,
-    row,
-    silent,
-    style_list,
-)
+from phonemeanalyser.desktop.widgets import builders
 from phonemeengine.mouth.face_mapping import ENOUGH, FaceMapping, guess_mapping
 
 SIZE = 480, 560
@@ -106,21 +95,23 @@ class FaceMappingDialog(QDialog):
         self.mapping: FaceMapping = guess_mapping(self._names)
         self.boxes: dict[str, ShapeBox] = {}
         self.sliders: dict[str, QSlider] = {}
-        self.found, self.left = label(wraps=True), ElidedLabel()
-        self.basis = choice(
+        self.found, self.left = builders.label(wraps=True), builders.ElidedLabel()
+        self.basis = builders.choice(
             ((BASES[name], name) for name in ENOUGH),
             tr("Blend shapes"),
             tr("Set of blend shapes that the speech moves"),
         )
-        self.table = named(QTableWidget(0, len(COLUMNS)), tr("Blend shapes, and those of this face"))
+        self.table = builders.named(QTableWidget(0, len(COLUMNS)), tr("Blend shapes, and those of this face"))
         self.table.setHorizontalHeaderLabels([tr(name) for name in COLUMNS])
-        style_list(self.table, ROW, WIDTHS)
+        builders.style_list(self.table, ROW, WIDTHS)
         self.table.setSelectionMode(QTableWidget.SelectionMode.NoSelection)
-        self.buttons: QDialogButtonBox = dialog_buttons(
+        self.buttons: QDialogButtonBox = builders.dialog_buttons(
             self, QDialogButtonBox.StandardButton.Cancel, verb=tr("Save Mouth Table…")
         )
-        top = row((self.found, 1), label(tr("Blend shapes")), self.basis, spacing=8)
-        self.setLayout(column(top, (self.table, 1), self.left, self.buttons, margins=(12, 12, 12, 12), spacing=8))
+        top = builders.row((self.found, 1), builders.label(tr("Blend shapes")), self.basis, spacing=8)
+        self.setLayout(
+            builders.column(top, (self.table, 1), self.left, self.buttons, margins=(12, 12, 12, 12), spacing=8)
+        )
         self.basis.activated.connect(self._choose_basis)
         face.changed.connect(self.reject)
         self._fill()
@@ -169,21 +160,21 @@ class FaceMappingDialog(QDialog):
         self.table.setRowCount(len(self.mapping.ours))
         for place, ours in enumerate(self.mapping.ours):
             words = tr("Blend shape of this face for {name}").format(name=ours)
-            box = self.boxes[ours] = named(ShapeBox(self._names), words)
+            box = self.boxes[ours] = builders.named(ShapeBox(self._names), words)
             slider = self.sliders[ours] = QSlider(Qt.Orientation.Horizontal)
-            named(slider, tr("Try {name}").format(name=ours), tr("Show it on the face"))
+            builders.named(slider, tr("Try {name}").format(name=ours), tr("Show it on the face"))
             slider.setRange(0, 100)
             box.shape_chosen.connect(partial(self.choose, ours))
             slider.valueChanged.connect(partial(self.try_out, ours))
             self.table.setItem(place, 0, QTableWidgetItem(ours))
             self.table.setCellWidget(place, 1, box)
             self.table.setCellWidget(place, 2, slider)
-        leave_wheel(self.table)
+        builders.leave_wheel(self.table)
         self._show()
 
     def _show(self) -> None:
         mapping = self.mapping
-        with silent(self.basis):
+        with builders.silent(self.basis):
             self.basis.setCurrentIndex(self.basis.findData(mapping.basis))
         for ours, box in self.boxes.items():
             box.show_shapes([*mapping.targets.get(ours, ())])

@@ -12,18 +12,7 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import (
-    choice,
-    column,
-    fill_rows,
-    grid,
-    heading,
-    label,
-    row,
-    silent,
-    slider_of_percent,
-    tool_button,
-)
+from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.mouth.movestate import Mode
 from phonemeengine.mouth.table import MouthTable
@@ -86,7 +75,7 @@ class VisemePanel(QWidget):
         self.buttons: dict[str, VisemeButton] = {}
         self.sliders: dict[str, QSlider] = {}
         self._percents: dict[str, QLabel] = {}
-        self.mode = choice(
+        self.mode = builders.choice(
             ((tr(words), mode.value) for mode, words in MODES.items()),
             tr("Effect of a slider on everything else"),
             tr(
@@ -96,10 +85,12 @@ class VisemePanel(QWidget):
                 "everything but blinks to 0 while they are held"
             ),
         )
-        self.leave = tool_button(tr("Reset to Speech"), tr("Set all sliders to 0"), act=talking.clear_visemes)
+        self.leave = builders.tool_button(
+            tr("Reset to Speech"), tr("Set all sliders to 0"), act=talking.clear_visemes
+        )
         self._body = QWidget()
-        head = row((heading(tr("Mouth shapes")), 1), self.mode, self.leave)
-        self._column = column(head, self._body, on=self, spacing=4)
+        head = builders.row((builders.heading(tr("Mouth shapes")), 1), self.mode, self.leave)
+        self._column = builders.column(head, self._body, on=self, spacing=4)
         talking.changed.connect(self._take_table)
         self.mode.activated.connect(lambda k: talking.set_mode(Mode(self.mode.itemData(k))))
         talking.visemes_changed.connect(self._show_shares)
@@ -122,7 +113,7 @@ class VisemePanel(QWidget):
         self.buttons, self.sliders, self._percents = {}, {}, {}
         keys = keys_of(table)
         rows = [self._row_of(shape, keys.get(shape, "")) for shape in table.shapes]
-        fill_rows(grid(body, across=8, down=3), rows)
+        builders.fill_rows(builders.grid(body, across=8, down=3), rows)
 
     def _row_of(self, shape: str, keys: str) -> tuple[QWidget, QWidget, QWidget]:
         talking = self._talking
@@ -132,9 +123,9 @@ class VisemePanel(QWidget):
         shown = sound_name(shape)
         tip = tr("Weight of the mouth shape {shape}; with all weights at 0, speech alone moves the mouth")
         name = tr("Weight of the mouth shape {shape}")
-        slider = self.sliders[shape] = slider_of_percent(name.format(shape=shown), tip.format(shape=shown))
+        slider = self.sliders[shape] = builders.slider_of_percent(name.format(shape=shown), tip.format(shape=shown))
         slider.valueChanged.connect(lambda value: talking.set_viseme(shape, value / 100))
-        self._percents[shape] = label(width=PERCENT_WIDTH)
+        self._percents[shape] = builders.label(width=PERCENT_WIDTH)
         self._percents[shape].setToolTip(slider.toolTip())
         return button, slider, self._percents[shape]
 
@@ -143,7 +134,7 @@ class VisemePanel(QWidget):
         if visemes.shares.keys() != self.sliders.keys():
             return  # the table is about to be listed
         for shape, share in visemes.shares.items():
-            with silent(self.sliders[shape]):
+            with builders.silent(self.sliders[shape]):
                 self.sliders[shape].setValue(round(100 * share))
             self.buttons[shape].setDown(shape == visemes.held)
             self._percents[shape].setText(f"{100 * share:.0f} %")

@@ -13,18 +13,7 @@ from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.words.voice_panel import VoiceButton
 from phonemeanalyser.desktop.talk.words.written_text import places_of
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import (
-    ElidedLabel,
-    choice,
-    column,
-    named,
-    offer,
-    row,
-    show_removable,
-    silent,
-    spoken_button,
-    tool_button,
-)
+from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.fields import SearchBox
 from phonemeengine.labels.utterance import Utterance
 
@@ -104,10 +93,10 @@ class TextPanel(QWidget):
         self._marked = (0, 0)
         self._listed: object = None
         self.field = TextField()
-        self.script = spoken_button(
+        self.script = builders.spoken_button(
             tr("Script…"), tr("Open the text of the recording: a text file, a TextGrid, or JSON with word times")
         )
-        self.speaker = choice((), tr("Speaker"), tr("Speaker whose words are read from the labels"))
+        self.speaker = builders.choice((), tr("Speaker"), tr("Speaker whose words are read from the labels"))
         self.language = SearchBox(
             tr("Language of the text"),
             tr("Language of the text, those that were chosen last first; type any part of its name to find it"),
@@ -115,25 +104,25 @@ class TextPanel(QWidget):
         self.language.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.language.setMinimumWidth(NARROWEST)
         self.voice = VoiceButton(self._texts.voice, self._texts.drivers, theme)
-        self.lexicon = spoken_button(
+        self.lexicon = builders.spoken_button(
             tr("Lexicon…"),
             tr(
                 "Load a file with the pronunciation of words; other words are pronounced by the rules of the language"
             ),
         )
-        self.literal = named(QCheckBox(tr("Literal")), tip=tr(NOTATION))
-        self.act = tool_button("")
+        self.literal = builders.named(QCheckBox(tr("Literal")), tip=tr(NOTATION))
+        self.act = builders.tool_button("")
         self.act.setStyleSheet(
             f"QToolButton {{ color: {theme.on_colour}; background: {theme.accent}; border: 1px solid {theme.accent};"
             " border-radius: 4px; padding: 4px 14px; font-weight: bold }"
             f"QToolButton:focus {{ border-color: {theme.text} }}"
             f"QToolButton:disabled {{ color: {theme.faint}; background: {theme.raised}; border-color: {theme.line} }}"
         )
-        self.anyway = spoken_button(
+        self.anyway = builders.spoken_button(
             tr("Align Anyway"), tr("Align the text, though it doesn’t seem to match the recording")
         )
-        self.refusal = ElidedLabel(tr("The recording doesn’t match this text."))
-        self.state = ElidedLabel()
+        self.refusal = builders.ElidedLabel(tr("The recording doesn’t match this text."))
+        self.state = builders.ElidedLabel()
         self._lay_out()
         self._connect()
         self._show_state()
@@ -143,16 +132,16 @@ class TextPanel(QWidget):
             files.wake()
 
     def _lay_out(self) -> None:
-        written = column(self.field, row(self.anyway, (self.refusal, 1), spacing=6), spacing=4)
-        beside = column(
-            row(self.language, self.speaker, 1, spacing=6),
-            row(self.voice, self.script, 1, spacing=6),
-            row(self.lexicon, self.literal, 1, spacing=6),
-            row(self.act, (self.state, 1), spacing=6),
+        written = builders.column(self.field, builders.row(self.anyway, (self.refusal, 1), spacing=6), spacing=4)
+        beside = builders.column(
+            builders.row(self.language, self.speaker, 1, spacing=6),
+            builders.row(self.voice, self.script, 1, spacing=6),
+            builders.row(self.lexicon, self.literal, 1, spacing=6),
+            builders.row(self.act, (self.state, 1), spacing=6),
             1,
             spacing=4,
         )
-        row((written, 1), beside, on=self, margins=(8, 4, 8, 4), spacing=8)
+        builders.row((written, 1), beside, on=self, margins=(8, 4, 8, 4), spacing=8)
 
     def _connect(self) -> None:
         texts, session = self._texts, self._talking.session
@@ -209,7 +198,7 @@ class TextPanel(QWidget):
     def _show_text(self) -> None:
         """Show text and language; what is typed is not written again."""
         if self.field.toPlainText() != self._texts.text:
-            with silent(self.field):
+            with builders.silent(self.field):
                 self.field.replace_text(self._texts.text)
         self._spoken = None
         self._show_state()
@@ -239,11 +228,11 @@ class TextPanel(QWidget):
         if self._aligns and self._texts.busy:
             name, tip = tr("Cancel"), tr("Stop Aligning")
         self.act.setText(name)
-        named(self.act, tip, tip)
+        builders.named(self.act, tip, tip)
 
     def _show_speakers(self) -> None:
         speakers = self._texts.speakers
-        offer(
+        builders.offer(
             self.speaker, [(tr(NO_SPEAKER), None), *((name, name) for name in speakers)], self._texts.speaker or None
         )
         self.speaker.setVisible(len(speakers) > 1)
@@ -262,14 +251,14 @@ class TextPanel(QWidget):
             none = tr("{language} (guessed)").format(language=names[written.guess])
         recent = [(names[tag], tag) for tag in written.recent if tag in names]
         every = sorted((name, tag) for tag, name in names.items() if tag not in written.recent)
-        offer(self.language, [(none, ""), *recent, *every], written.language)
+        builders.offer(self.language, [(none, ""), *recent, *every], written.language)
 
     def _show_lexicon(self) -> None:
         path = self._texts.lexicon_path
         if path is None:
-            named(self.lexicon, tr(LEXICON), tr(LEXICON)).setText(tr("Lexicon…"))
+            builders.named(self.lexicon, tr(LEXICON), tr(LEXICON)).setText(tr("Lexicon…"))
         else:
-            show_removable(self.lexicon, path.name, tr("Remove the lexicon {path}").format(path=path))
+            builders.show_removable(self.lexicon, path.name, tr("Remove the lexicon {path}").format(path=path))
 
 
 def short_name(name: str) -> str:

@@ -4,20 +4,8 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
+from PySide6 import QtGui
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
-from PySide6.QtGui import (
-    QBrush,
-    QColor,
-    QHelpEvent,
-    QKeyEvent,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QPixmap,
-    QResizeEvent,
-    QWheelEvent,
-)
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from typing_extensions import override
 
@@ -25,16 +13,8 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import CENTRED, draw_text
 from phonemeanalyser.desktop.session.time_view import TimeSpan, TimeView
 from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.talk.words import spoken_lanes
 from phonemeanalyser.desktop.talk.words.felt_text import USUAL
-from phonemeanalyser.desktop.talk.words.spoken_lanes import (
-    FELT_NAME,
-    NAMES,
-    PERFORMED,
-    in_a_row,
-    lane_of_feelings,
-    lane_of_units,
-    lanes_of,
-)
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.label_editor import LabelEditor
 from phonemeanalyser.desktop.widgets.lanes import (
@@ -96,7 +76,7 @@ class SpeechTimeline(QWidget):
         self.lanes: tuple[Lane, ...] = ()
         self._units: list[UsedUnit] = []
         self._shown: tuple[object, ...] = ()
-        self._picture: QPixmap | None = None
+        self._picture: QtGui.QPixmap | None = None
         self._playhead = 0.0
         self._drag = BoundaryDrag()
         self._pressed: tuple[QPointF, TimeSpan] | None = None
@@ -132,12 +112,16 @@ class SpeechTimeline(QWidget):
         if not self._shown or any(one is not other for one, other in zip(known, self._shown, strict=True)):
             self._shown = known
             self.setToolTip(tr(EDITABLE if texts.editable else FIXED))
-            lanes = [Lane(tr(name)) for name in NAMES]
+            lanes = [Lane(tr(name)) for name in spoken_lanes.NAMES]
             if texts.utterance is not None:
-                lanes = lanes_of(texts.utterance, letters, movable=texts.editable)
-            self._units = in_a_row(units)
-            felt = [lane_of_feelings(self._felt.spans)] if self._felt.spans or texts.utterance is not None else []
-            self.lanes = (*lanes, *felt, *([lane_of_units(self._units)] if units else ()))
+                lanes = spoken_lanes.lanes_of(texts.utterance, letters, movable=texts.editable)
+            self._units = spoken_lanes.in_a_row(units)
+            felt = (
+                [spoken_lanes.lane_of_feelings(self._felt.spans)]
+                if self._felt.spans or texts.utterance is not None
+                else []
+            )
+            self.lanes = (*lanes, *felt, *([spoken_lanes.lane_of_units(self._units)] if units else ()))
             self.setMinimumHeight(LEAST_WAVE + len(self.lanes) * (HEIGHT + GAP) + TIME_HEIGHT + 2 * GAP)
             self._touch()
         self._drag.release()
@@ -187,9 +171,9 @@ class SpeechTimeline(QWidget):
     # -- painting -----------------------------------------------------------------------------------------
 
     @override
-    def paintEvent(self, _event: QPaintEvent) -> None:
+    def paintEvent(self, _event: QtGui.QPaintEvent) -> None:
         """Paint what stands still, which is drawn once, and on it the playhead and the boundary in the hand."""
-        painter = QPainter(self)
+        painter = QtGui.QPainter(self)
         if self._picture is None:
             self._picture = self._drawn()
         painter.drawPixmap(0, 0, self._picture)
@@ -198,18 +182,18 @@ class SpeechTimeline(QWidget):
         bottom = self.height() - TIME_HEIGHT
         x = self.x_of(self._playhead)
         if LEFT <= x <= self.width():
-            painter.fillRect(QRectF(x - 0.5, 0, 1.5, bottom), QColor(self._theme.accent))
+            painter.fillRect(QRectF(x - 0.5, 0, 1.5, bottom), QtGui.QColor(self._theme.accent))
         if self._drag.held is not None:
             row = self.rows()[self._drag.held.lane][0]
             held = QRectF(self.x_of(self._drag.held.seconds) - 1, row.top() - 2, 2, row.height() + 4)
-            painter.fillRect(held, QColor(self._theme.text))
+            painter.fillRect(held, QtGui.QColor(self._theme.text))
 
-    def _drawn(self) -> QPixmap:
+    def _drawn(self) -> QtGui.QPixmap:
         scale = self.devicePixelRatioF()
-        picture = QPixmap(self.size() * scale)
+        picture = QtGui.QPixmap(self.size() * scale)
         picture.setDevicePixelRatio(scale)
-        picture.fill(QColor(self._theme.base))
-        painter = QPainter(picture)
+        picture.fill(QtGui.QColor(self._theme.base))
+        painter = QtGui.QPainter(picture)
         painter.setFont(self.font())
         try:
             self._paint(painter)
@@ -217,7 +201,7 @@ class SpeechTimeline(QWidget):
             painter.end()  # whatever went wrong: Qt crashes where two paint one picture
         return picture
 
-    def _paint(self, painter: QPainter) -> None:
+    def _paint(self, painter: QtGui.QPainter) -> None:
         if self.view.duration <= 0:
             draw_text(painter, QRectF(self.rect()), tr(NOTHING), self._theme.faint, 13, CENTRED)
             return
@@ -231,10 +215,10 @@ class SpeechTimeline(QWidget):
             if self._texts.edits.chosen is not None and row == self._chosen_row():
                 self._paint_chosen(painter, row, lane)
             if self._stale:
-                ground = QColor(self._theme.base)
+                ground = QtGui.QColor(self._theme.base)
                 ground.setAlphaF(STALE)
                 painter.fillRect(row, ground)
-                painter.fillRect(row, QBrush(QColor(self._theme.faint), Qt.BrushStyle.BDiagPattern))
+                painter.fillRect(row, QtGui.QBrush(QtGui.QColor(self._theme.faint), Qt.BrushStyle.BDiagPattern))
         paint_times(painter, self.height() - TIME_HEIGHT, axis, self._theme, self.width())
 
     def _chosen_row(self) -> QRectF:
@@ -243,13 +227,13 @@ class SpeechTimeline(QWidget):
         number = next(number for number, unit in EDITED.items() if unit is self._texts.edits.chosen[0])
         return self.rows()[number][0]
 
-    def _paint_chosen(self, painter: QPainter, row: QRectF, lane: Lane) -> None:
+    def _paint_chosen(self, painter: QtGui.QPainter, row: QRectF, lane: Lane) -> None:
         """Frame the word or phone that is chosen."""
         assert self._texts.edits.chosen is not None
         k = self._texts.edits.chosen[1]
         if k < len(lane.starts):
             left, right = (min(max(self.x_of(float(t[k])), LEFT), self.width() - 1) for t in (lane.starts, lane.ends))
-            painter.setPen(QPen(QColor(self._theme.text), 2))
+            painter.setPen(QtGui.QPen(QtGui.QColor(self._theme.text), 2))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawRect(QRectF(left + 1, row.top() + 1, max(1.0, right - left - 2), row.height() - 2))
 
@@ -270,12 +254,12 @@ class SpeechTimeline(QWidget):
     # -- the user's hand ----------------------------------------------------------------------------------
 
     @override
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._touch()
 
     @override
-    def wheelEvent(self, event: QWheelEvent) -> None:
+    def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
         """Zoom at the pointer; with Shift, or a sideways wheel, scroll."""
         turned = event.angleDelta()
         if turned.x() or event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
@@ -284,7 +268,7 @@ class SpeechTimeline(QWidget):
             self.view.zoom(self.axis.time_at(event.position().x()), WHEEL_STEP ** (turned.y() / 120))
 
     @override
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         """Take a boundary in the hand, else what is seen, to scroll it."""
         place = event.position()
         if event.button() != Qt.MouseButton.LeftButton or place.x() < LEFT - GRAB:
@@ -293,7 +277,7 @@ class SpeechTimeline(QWidget):
             self._pressed = place, self.view.seen
 
     @override
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         """Drag the boundary or what is seen along; show which boundaries can be dragged."""
         place = event.position()
         if self._drag.move(self.axis.time_at(place.x())) is not None:
@@ -308,7 +292,7 @@ class SpeechTimeline(QWidget):
             self.setCursor(Qt.CursorShape.ArrowCursor if over is None else Qt.CursorShape.SplitHCursor)
 
     @override
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         """Let the boundary go; it has moved, unless it is where it was. Else go to what was clicked."""
         if event.button() != Qt.MouseButton.LeftButton:
             return
@@ -323,7 +307,7 @@ class SpeechTimeline(QWidget):
             self._go_to(event.position())
 
     @override
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+    def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
         """Play the whole recording that a unit is from; rename a word or a phone; change or add a feeling."""
         found, lane = self._span_at(event.position()), self._lane_at(event.position())
         if lane is not None and self._is_of_feelings(lane):
@@ -379,10 +363,10 @@ class SpeechTimeline(QWidget):
         return next((number for number, (row, _) in enumerate(self.rows()) if row.contains(place)), None)
 
     def _is_of_feelings(self, number: int) -> bool:
-        return self.lanes[number].name == tr(FELT_NAME)
+        return self.lanes[number].name == tr(spoken_lanes.FELT_NAME)
 
     def _is_of_units(self, number: int) -> bool:
-        return self.lanes[number].name == tr(PERFORMED)
+        return self.lanes[number].name == tr(spoken_lanes.PERFORMED)
 
     def _span_at(self, place: QPointF) -> tuple[int, int] | None:
         """Return lane and number of the span at a pixel; None where there is none."""
@@ -393,7 +377,7 @@ class SpeechTimeline(QWidget):
         return None
 
     @override
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         """Go one picture, zoom, or change the word that is chosen."""
         seen = self.view.seen
         middle = (seen.start + seen.end) / 2
@@ -416,7 +400,7 @@ class SpeechTimeline(QWidget):
 
     @override
     def event(self, event: QEvent) -> bool:
-        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+        if isinstance(event, QtGui.QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             found = self._span_at(QPointF(event.pos()))
             tips = () if found is None else self.lanes[found[0]].tips
             if found is not None and tips:

@@ -13,18 +13,9 @@ from phonemeanalyser.desktop.talk.words.scripts import WordInSound, found_word
 from phonemeanalyser.desktop.talk.words.sound_words import SoundWords, fits_badly
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.errors import CorpusError
+from phonemeengine.labels import utterance_edits
 from phonemeengine.labels.table import write_text
 from phonemeengine.labels.utterance import LabelUnit, Utterance, Word, spans_of, with_boundary
-from phonemeengine.labels.utterance_edits import (
-    gap_at,
-    renamed_phone,
-    split_phone,
-    split_word,
-    with_inserted,
-    with_word,
-    without_phone,
-    without_word,
-)
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.text.lexicon import Lexicon
@@ -159,7 +150,9 @@ class WordEdits(QObject):
         if not self.possible or utterance is None:
             self.error.emit(tr(NO_WORDS))
             return
-        span = self._session.view.selection or TimeSpan(*gap_at(utterance, self._session.source.position))
+        span = self._session.view.selection or TimeSpan(
+            *utterance_edits.gap_at(utterance, self._session.source.position)
+        )
         if span.seconds < LEAST_INSERTED:
             self.error.emit(tr("There is no pause at the cursor for another word. Go to a pause, or split a word."))
             return
@@ -173,13 +166,15 @@ class WordEdits(QObject):
         if utterance is None or not self.possible or not name.strip():
             return
         if renamed is None:
-            self._find(name, span, with_inserted, tr("insertion of a word"))
+            self._find(name, span, utterance_edits.with_inserted, tr("insertion of a word"))
         elif renamed[0] is LabelUnit.WORD:
             k = renamed[1]
             if name.strip() != utterance.words[k].text:
-                self._find(name, span, lambda said, word: with_word(said, k, word), tr("renaming of a word"))
+                self._find(
+                    name, span, lambda said, word: utterance_edits.with_word(said, k, word), tr("renaming of a word")
+                )
         elif name.strip() != list(utterance.phones)[renamed[1]].ipa:
-            self._edit(lambda said: renamed_phone(said, renamed[1], name), tr("renaming of a phone"))
+            self._edit(lambda said: utterance_edits.renamed_phone(said, renamed[1], name), tr("renaming of a phone"))
 
     def delete(self) -> None:
         """Delete the chosen word or phone."""
@@ -187,9 +182,9 @@ class WordEdits(QObject):
         if found is not None:
             _, (unit, k) = found
             if unit is LabelUnit.WORD:
-                self._edit(lambda said: without_word(said, k), tr("deletion of a word"))
+                self._edit(lambda said: utterance_edits.without_word(said, k), tr("deletion of a word"))
             else:
-                self._edit(lambda said: without_phone(said, k), tr("deletion of a phone"))
+                self._edit(lambda said: utterance_edits.without_phone(said, k), tr("deletion of a phone"))
 
     def split(self) -> None:
         """Split the chosen word or phone at the cursor."""
@@ -197,9 +192,9 @@ class WordEdits(QObject):
         if found is not None:
             _, (unit, k) = found
             if unit is LabelUnit.WORD:
-                self._edit(lambda said: split_word(said, k, here), tr("splitting of a word"))
+                self._edit(lambda said: utterance_edits.split_word(said, k, here), tr("splitting of a word"))
             else:
-                self._edit(lambda said: split_phone(said, k, here), tr("splitting of a phone"))
+                self._edit(lambda said: utterance_edits.split_phone(said, k, here), tr("splitting of a phone"))
 
     def realign(self) -> None:
         """Find the chosen word anew, between the one before and the one after it."""
@@ -215,7 +210,7 @@ class WordEdits(QObject):
         ipa = ".".join("".join(phone.ipa for phone in syllable.phones) for syllable in words[k].syllables)
         name = f"{words[k].text.replace('/', ' ')}/{ipa}/"
         span = TimeSpan(max(start, words[k].start - REACH), min(end, words[k].end + REACH))
-        self._find(name, span, lambda said, word: with_word(said, k, word), tr("alignment of a word"))
+        self._find(name, span, lambda said, word: utterance_edits.with_word(said, k, word), tr("alignment of a word"))
 
     def close(self) -> None:
         """End all work."""
