@@ -125,16 +125,6 @@ def offer(box: QtWidgets.QComboBox, items: Iterable[tuple[str, Any]], chosen: An
     box.setCurrentIndex(values.index(shown) if shown in values else 0)
 
 
-def slider_of_percent(name: str, tip: str) -> QtWidgets.QSlider:
-    """Make a slider from 0 to 100 %."""
-    slider = named(QtWidgets.QSlider(Qt.Orientation.Horizontal), name, tip)
-    slider.setRange(0, 100)
-    slider.setPageStep(10)
-    slider.setMinimumWidth(44)
-    leave_wheel(slider)  # many come later than the page that holds them
-    return slider
-
-
 def fill_rows(grid: QtWidgets.QGridLayout, rows: Iterable[Sequence[QtWidgets.QWidget]]) -> None:
     """Fill a grid with rows of widgets, of which the second one takes the room that is left."""
     for k, widgets in enumerate(rows):

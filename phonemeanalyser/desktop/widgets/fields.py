@@ -1,12 +1,17 @@
-"""Fields: for a number, and for a choice from a list that is searched by typing any part of a name."""
+"""Fields: for a number, for a share, and for a choice from a list that is searched by typing part of a name."""
+
+from collections.abc import Callable
 
 from PySide6.QtCore import QLocale, Qt
 from PySide6.QtGui import QMouseEvent, QValidator
-from PySide6.QtWidgets import QComboBox, QCompleter, QDoubleSpinBox, QLineEdit
+from PySide6.QtWidgets import QComboBox, QCompleter, QDoubleSpinBox, QLineEdit, QSlider
 from typing_extensions import override
 
-from phonemeanalyser.desktop.widgets.builders import named
+from phonemeanalyser.desktop.widgets.builders import label, leave_wheel, named, silent
 from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
+
+PERCENT_WIDTH = 40
+"""Of the label beside a slider, pixels."""
 
 
 class NumberField(QDoubleSpinBox):
@@ -92,3 +97,32 @@ class SearchBox(QComboBox):
     def _forget_typed(self) -> None:
         self.setEditText(self.itemText(self.currentIndex()))
         self.field.setCursorPosition(0)
+
+
+class PercentSlider(QSlider):
+    """A slider from 0 to 100 %.
+
+    Parameters
+    ----------
+    act : given the share, 0..1, that the user chooses.
+
+    Attributes
+    ----------
+    percent : the label that tells the share.
+    """
+
+    def __init__(self, name: str, tip: str, act: Callable[[float], object]) -> None:
+        super().__init__(Qt.Orientation.Horizontal)
+        named(self, name, tip)
+        self.percent = named(label(width=PERCENT_WIDTH), tip=tip)
+        self.setRange(0, 100)
+        self.setPageStep(10)
+        self.setMinimumWidth(44)
+        leave_wheel(self)  # many come later than the page that holds them
+        self.valueChanged.connect(lambda value: act(value / 100))
+
+    def show_share(self, share: float) -> None:
+        """Show a share, 0..1, that was not chosen here."""
+        with silent(self):
+            self.setValue(round(100 * share))
+        self.percent.setText(f"{100 * share:.0f} %")

@@ -144,10 +144,10 @@ def test_other_programs_move_the_face_and_it_is_said_what_is_heard(
 ) -> None:
     heard = stage.talking.expression.input
     heard.set_address(f"127.0.0.1:{free_port()}")
-    panel.switch.click()
+    panel.osc.switch.click()
     qtbot.waitUntil(lambda: heard.stream is not None)
     panel.refresh()
-    assert panel.state.text() == "Waiting for messages"
+    assert panel.osc.state.text() == "Waiting for messages"
     assert heard.stream is not None
     with SimpleUDPClient("127.0.0.1", heard.stream.port) as sender:
 
@@ -160,15 +160,15 @@ def test_other_programs_move_the_face_and_it_is_said_what_is_heard(
         qtbot.waitUntil(arrived)
     assert shown(stage, BROW) == pytest.approx(40, abs=1)
     panel.refresh()
-    assert panel.state.text() == "Receiving surprise and 1 more"
+    assert panel.osc.state.text() == "Receiving surprise and 1 more"
     panel.sliders["surprise"].setValue(25)
     stage.wait(0.1)
     assert shown(stage, BROW) == pytest.approx(60, abs=1)
     panel.sliders["surprise"].setValue(0)
-    panel.switch.click()
+    panel.osc.switch.click()
     stage.wait(0.1)
     assert shown(stage, BROW) == pytest.approx(0, abs=1)
-    assert panel.state.text() == "Off"
+    assert panel.osc.state.text() == "Off"
 
 
 @pytest.mark.parametrize("address", ["nowhere", "127.0.0.1:99999", "nobody.invalid:39540"])
@@ -177,11 +177,11 @@ def test_a_place_where_nobody_can_be_heard_switches_it_off(
 ) -> None:
     heard = stage.talking.expression.input
     heard.set_address(address)
-    panel.switch.click()
+    panel.osc.switch.click()
     qtbot.waitUntil(lambda: bool(stage.failed))
     assert len(stage.failed) == 1
     assert not heard.on
-    assert not panel.switch.isChecked()
+    assert not panel.osc.switch.isChecked()
 
 
 @pytest.mark.usefixtures("own_desktop")

@@ -178,7 +178,7 @@ def test_keys_and_sliders_move_the_receivers_mouth_too(
 
 
 def type_address(window: MainWindow, text: str) -> None:
-    box = window.talk.osc.address
+    box = window.talk.osc.fields.address
     box.setFocus()
     box.selectAll()
     QTest.keyClicks(box, text)
@@ -186,20 +186,20 @@ def type_address(window: MainWindow, text: str) -> None:
 
 def test_the_switch_sends_the_mouth_to_the_address_that_was_typed(window, desktop, qtbot, receiver):
     type_address(window, f"127.0.0.1:{receiver.address.port}")
-    click(window.talk.osc.switch)
-    qtbot.waitUntil(lambda: window.talk.osc.state.text().startswith("Sending"))
+    click(window.talk.osc.fields.switch)
+    qtbot.waitUntil(lambda: window.talk.osc.fields.state.text().startswith("Sending"))
     press(window, Qt.Key.Key_Escape)
     desktop.session.play()
     qtbot.waitUntil(lambda: any(name == "a" for name, *_ in receiver.of("/phoneme")))
     qtbot.waitUntil(lambda: receiver.weights().get("jawOpen", 0.0) > 0.1)
-    click(window.talk.osc.switch)
-    assert window.talk.osc.state.text() == "Off"
-    assert not window.talk.osc.switch.isChecked()
+    click(window.talk.osc.fields.switch)
+    assert window.talk.osc.fields.state.text() == "Off"
+    assert not window.talk.osc.fields.switch.isChecked()
 
 
 def test_test_keys_and_sliders_reach_the_receiver_too(window, qtbot, receiver):
     type_address(window, f"127.0.0.1:{receiver.address.port}")
-    click(window.talk.osc.switch)
+    click(window.talk.osc.fields.switch)
     qtbot.waitUntil(lambda: receiver.weights().get("jawOpen") == 0)
     window.talk.head.setFocus()
     QTest.keyPress(window.talk.head, Qt.Key.Key_A)
@@ -216,6 +216,6 @@ def test_test_keys_and_sliders_reach_the_receiver_too(window, qtbot, receiver):
 
 def test_a_wrong_address_is_told_and_the_switch_goes_back(window, desktop):
     type_address(window, "somewhere")
-    click(window.talk.osc.switch)
+    click(window.talk.osc.fields.switch)
     assert "HOST:PORT" in window.banner.label.text()
-    assert not window.talk.osc.switch.isChecked()
+    assert not window.talk.osc.fields.switch.isChecked()

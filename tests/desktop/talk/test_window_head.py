@@ -349,7 +349,7 @@ def test_choices_come_back_at_the_next_start(qapp, settings: QSettings, no_micro
     a, written = talking.table.times[Phoneme.A], load_table("five").times[Phoneme.A]
     assert (a.attack, a.release) == pytest.approx((2 * written.attack, written.release / 2))
     assert again.window.talk.choices.attack.value() == 200
-    assert again.window.talk.osc.address.text() == "127.0.0.1:9000"
+    assert again.window.talk.osc.fields.address.text() == "127.0.0.1:9000"
     assert not talking.osc.on
     again.close()
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import QObject, Signal
 from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.talk.expression.osc_connection import OscConnection
+from phonemeanalyser.desktop.talk.expression.osc_model import OscConnection
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array
@@ -38,8 +38,8 @@ class ExpressionInput(OscConnection):
         return stream
 
     @property
+    @override
     def words(self) -> str:
-        """What is going on, in words."""
         if self.stream is None:
             return tr("Off") if not self.on else tr("Opening…")
         names = self.stream.names
@@ -50,8 +50,8 @@ class ExpressionInput(OscConnection):
         return tr("Receiving {name} and {n} more").format(name=names[0], n=len(names) - 1)
 
     @property
-    def receives(self) -> bool:
-        """Whether another program sends an expression."""
+    @override
+    def active(self) -> bool:
         return self.stream is not None and bool(self.stream.names)
 
     @override

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import Field, fields
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
@@ -11,9 +12,10 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.expression.style_model import StyleModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets import builders
+from phonemeanalyser.desktop.widgets.fields import PercentSlider
 from phonemeengine.mouth.blendshape_names import both_sides
 from phonemeengine.mouth.expression.channels import shipped_channels
-from phonemeengine.mouth.style import AMOUNTS, limits_of
+from phonemeengine.mouth.style import limits_of
 from phonemeengine.mouth.table import STRONGEST
 
 AMOUNT_WORDS = {
@@ -41,7 +43,7 @@ HEAD_TIPS = {
     tr_noop("Reduction"): tr_noop("Share of the expression that speech takes away: 0 nothing, 1 everything"),
 }
 """What the columns of poses and reductions say, by their titles."""
-ROW_HEIGHT, TABLE_HEIGHT, PERCENT_WIDTH = 22, 200, 40
+ROW_HEIGHT, TABLE_HEIGHT = 22, 200
 
 
 class StylePanel(QWidget):
@@ -76,17 +78,13 @@ class StylePanel(QWidget):
             side: builders.toggle_button(side, tr("Edit the style of side {side} below").format(side=side))
             for side in styles.names
         }
-        self.blend = builders.slider_of_percent(
-            tr("Blend of styles"), tr("From the style of side A to that of side B")
+        self.blend = PercentSlider(
+            tr("Blend of styles"), tr("From the style of side A to that of side B"), styles.set_blend
         )
-        self._blended = builders.label(width=PERCENT_WIDTH)
         self.sliders = {
-            name: builders.slider_of_percent(tr(words), tr(tip)) for name, (words, tip) in AMOUNT_WORDS.items()
+            name: PercentSlider(tr(words), tr(tip), partial(styles.set_amount, name))
+            for name, (words, tip) in AMOUNT_WORDS.items()
         }
-        self._percents = {name: builders.label(width=PERCENT_WIDTH) for name in AMOUNTS}
-        self._blended.setToolTip(self.blend.toolTip())
-        for name, percent in self._percents.items():
-            percent.setToolTip(self.sliders[name].toolTip())
         self.part = builders.choice(
             ((tr(words), name) for name, words in TABLES.items()),
             tr("Table of the style"),
@@ -100,11 +98,18 @@ class StylePanel(QWidget):
         self.fit = builders.spoken_button(
             tr("Fit to Recorded Faces"),
             tr("Set reach, speed, closures and asymmetry so that rules move most like the recorded faces in use"),
+            self.fit_asked.emit,
         )
         self.save = builders.spoken_button(tr("Save"), tr("Save the style to its file"))
-        self.save_as = builders.spoken_button(tr("Save As…"), tr("Save the style under another name"))
-        self.rename = builders.spoken_button(tr("Rename…"), tr("Give your own style and its file another name"))
-        self.revert = builders.spoken_button(tr("Revert"), tr("Undo all changes to the style since it was saved"))
+        self.save_as = builders.spoken_button(
+            tr("Save As…"), tr("Save the style under another name"), self.target_asked.emit
+        )
+        self.rename = builders.spoken_button(
+            tr("Rename…"), tr("Give your own style and its file another name"), self.name_asked.emit
+        )
+        self.revert = builders.spoken_button(
+            tr("Revert"), tr("Undo all changes to the style since it was saved"), styles.revert
+        )
         self._lay_out(theme)
         self._connect()
         self._show_state()
@@ -116,10 +121,10 @@ class StylePanel(QWidget):
         blended = builders.label(tr("A to B"))
         blended.setToolTip(self.blend.toolTip())
         rows = [
-            (builders.label(tr(words)), self.sliders[name], self._percents[name])
+            (builders.label(tr(words)), self.sliders[name], self.sliders[name].percent)
             for name, (words, _) in AMOUNT_WORDS.items()
         ]
-        builders.fill_rows(amounts, [(blended, self.blend, self._blended), *rows])
+        builders.fill_rows(amounts, [(blended, self.blend, self.blend.percent), *rows])
         shown = builders.label(tr("Table"), theme.faint)
         builders.column(
             builders.row(
@@ -139,17 +144,11 @@ class StylePanel(QWidget):
         for side, box in self.lists.items():
             box.activated.connect(lambda k, side=side, box=box: model.choose(side, box.itemData(k)))
             self.edits[side].clicked.connect(lambda _checked, side=side: self._edit_side(side))
-        self.blend.valueChanged.connect(lambda value: model.set_blend(value / 100))
-        for name, slider in self.sliders.items():
+        for slider in self.sliders.values():
             slider.sliderPressed.connect(model.begin_drag)
-            slider.valueChanged.connect(lambda value, name=name: model.set_amount(name, value / 100))
         self.part.currentIndexChanged.connect(lambda _k: self._show_table())
         self.table.itemChanged.connect(self._take)
         self.save.clicked.connect(lambda _checked: model.save() if model.is_own else self.target_asked.emit())
-        self.save_as.clicked.connect(lambda _checked: self.target_asked.emit())
-        self.fit.clicked.connect(lambda _checked: self.fit_asked.emit())
-        self.rename.clicked.connect(lambda _checked: self.name_asked.emit())
-        self.revert.clicked.connect(lambda _checked: model.revert())
         model.changed.connect(self._show_state)
 
     def _edit_side(self, side: str) -> None:
@@ -167,12 +166,9 @@ class StylePanel(QWidget):
             self.edits[side].setChecked(model.side == side)
         self.edits["B"].setEnabled(bool(model.names["B"]))
         self.blend.setEnabled(bool(model.names["B"]))
-        with builders.silent(self.blend, *self.sliders.values()):
-            self.blend.setValue(round(100 * model.amount))
-            for name, slider in self.sliders.items():
-                slider.setValue(round(100 * getattr(model.edited, name)))
-                self._percents[name].setText(f"{100 * getattr(model.edited, name):.0f} %")
-        self._blended.setText(f"{100 * model.amount:.0f} %")
+        self.blend.show_share(model.amount)
+        for name, slider in self.sliders.items():
+            slider.show_share(getattr(model.edited, name))
         edited = model.is_edited(model.names[model.side])
         self.save.setEnabled(edited)
         self.revert.setEnabled(edited)

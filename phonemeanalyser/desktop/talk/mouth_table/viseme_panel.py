@@ -1,10 +1,11 @@
 """A key and a slider for each mouth shape, and what becomes of everything else when one is asked for."""
 
 from collections.abc import Mapping
+from functools import partial
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy, QSlider, QToolButton, QWidget
+from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name
@@ -13,6 +14,7 @@ from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets import builders
+from phonemeanalyser.desktop.widgets.fields import PercentSlider
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.mouth.movestate import Mode
 from phonemeengine.mouth.table import MouthTable
@@ -23,7 +25,6 @@ MODES = {
     Mode.FORCE_RESET: tr_noop("Set others and blinks to 0"),
     Mode.INTERACT: tr_noop("Normalise to 100 %"),
 }
-PERCENT_WIDTH = 40
 
 
 class VisemeButton(QToolButton):
@@ -73,8 +74,7 @@ class VisemePanel(QWidget):
         self._theme = theme
         self._table: MouthTable | None = None
         self.buttons: dict[str, VisemeButton] = {}
-        self.sliders: dict[str, QSlider] = {}
-        self._percents: dict[str, QLabel] = {}
+        self.sliders: dict[str, PercentSlider] = {}
         self.mode = builders.choice(
             ((tr(words), mode.value) for mode, words in MODES.items()),
             tr("Effect of a slider on everything else"),
@@ -110,7 +110,7 @@ class VisemePanel(QWidget):
         self._show_shares()
 
     def _fill(self, body: QWidget, table: MouthTable) -> None:
-        self.buttons, self.sliders, self._percents = {}, {}, {}
+        self.buttons, self.sliders = {}, {}
         keys = keys_of(table)
         rows = [self._row_of(shape, keys.get(shape, "")) for shape in table.shapes]
         builders.fill_rows(builders.grid(body, across=8, down=3), rows)
@@ -123,21 +123,17 @@ class VisemePanel(QWidget):
         shown = sound_name(shape)
         tip = tr("Weight of the mouth shape {shape}; with all weights at 0, speech alone moves the mouth")
         name = tr("Weight of the mouth shape {shape}")
-        slider = self.sliders[shape] = builders.slider_of_percent(name.format(shape=shown), tip.format(shape=shown))
-        slider.valueChanged.connect(lambda value: talking.set_viseme(shape, value / 100))
-        self._percents[shape] = builders.label(width=PERCENT_WIDTH)
-        self._percents[shape].setToolTip(slider.toolTip())
-        return button, slider, self._percents[shape]
+        act = partial(talking.set_viseme, shape)
+        slider = self.sliders[shape] = PercentSlider(name.format(shape=shown), tip.format(shape=shown), act)
+        return button, slider, slider.percent
 
     def _show_shares(self) -> None:
         visemes = self._talking.visemes
         if visemes.shares.keys() != self.sliders.keys():
             return  # the table is about to be listed
         for shape, share in visemes.shares.items():
-            with builders.silent(self.sliders[shape]):
-                self.sliders[shape].setValue(round(100 * share))
+            self.sliders[shape].show_share(share)
             self.buttons[shape].setDown(shape == visemes.held)
-            self._percents[shape].setText(f"{100 * share:.0f} %")
         self.leave.setEnabled(any(visemes.shares.values()))
 
 
