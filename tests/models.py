@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from phonemeengine.dsp.log_mel import FLOOR, N_BANDS, log_mels
+from phonemeengine.dsp.mel import FLOOR, N_BANDS, log_mels
 from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model, OutputHead

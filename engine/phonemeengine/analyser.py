@@ -20,16 +20,21 @@ from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.mel import spread_mel
 from phonemeengine.errors import SettingsError
 from phonemeengine.execution import Progress, no_progress, report_progress
-from phonemeengine.features.front_end import FrameBlock, FrontEnd, LevelFrontEnd, LookAheadBuffer, concatenate
+from phonemeengine.features.front_end import (
+    FrameBlock,
+    FrontEnd,
+    LevelFrontEnd,
+    LookAheadBuffer,
+    PitchSetFrontEnd,
+    concatenate,
+)
 from phonemeengine.features.measure import Features
-from phonemeengine.features.pitch_sets import PitchSetFrontEnd
 from phonemeengine.labels.visemes import STANDARD_VISEMES, VisemeSet
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.model_choice import for_files, for_live_use, recogniser_for, while_played
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.plug_ins import completed
-from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.scores import scores_in, separations_of
+from phonemeengine.recognition.scores import Recognition, scores_in, separations_of
 from phonemeengine.recognition.segments import intensities_of
 from phonemeengine.recognition.smoothing import PhonemeSmoother, VisemeSmoother
 from phonemeengine.recognition.spec import Finishing, Joining, Recogniser, spec_of
@@ -43,6 +48,7 @@ HELD_FRAMES = 8
 
 _NONE_ARRIVED = np.zeros((0, WINDOW), np.float32)
 _SILENCE = int(Phoneme.SILENCE)  # which compares faster than the member does
+_BY_FRAME = ("recognised", "phonemes", "visemes", "intensities", "confidences")
 
 
 @dataclass(frozen=True, repr=False)
@@ -124,13 +130,9 @@ class Analysis(ShortRepr):
             self,
             start=self.start + first,
             frames=self.frames.part(slice(first, last)),
-            recognised=self.recognised[first:last],
-            phonemes=self.phonemes[first:last],
-            visemes=self.visemes[first:last],
-            intensities=self.intensities[first:last],
-            confidences=self.confidences[first:last],
             viseme_scores=None if self.viseme_scores is None else self.viseme_scores[first:last],
             arrived=_NONE_ARRIVED,
+            **{name: getattr(self, name)[first:last] for name in _BY_FRAME},
         )
 
 
@@ -384,15 +386,11 @@ def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
     return Analysis(
         analyses[0].start,
         concatenate([a.frames for a in analyses]),
-        recognised=np.concatenate([a.recognised for a in analyses]),
-        phonemes=np.concatenate([a.phonemes for a in analyses]),
-        visemes=np.concatenate([a.visemes for a in analyses]),
-        intensities=np.concatenate([a.intensities for a in analyses]),
-        confidences=np.concatenate([a.confidences for a in analyses]),
         settings=analyses[-1].settings,
         viseme_scores=np.concatenate(of_visemes) if len(of_visemes) == len(blocks) else None,
         viseme_set=analyses[-1].viseme_set,
         arrived=np.concatenate([a.arrived for a in analyses]),
+        **{name: np.concatenate([getattr(a, name) for a in analyses]) for name in _BY_FRAME},
     )
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.audio.libsndfile import through_codec
 from phonemeengine.audio.resampling import change_speed, resample_whole
-from phonemeengine.calibration.background_sounds import BACKGROUNDS
+from phonemeengine.calibration.scores.added_noise import BACKGROUNDS
 from phonemeengine.settings import SAMPLE_RATE
 
 # Impulse responses of made-up rooms, by the image method.
@@ -232,7 +232,7 @@ class Augmentation:
     Attributes
     ----------
     rate : factor by which it is faster and higher, formants too.
-    warp : of the mel bank, see `phonemeengine.dsp.log_mel.warped_mel_bank`.
+    warp : of the mel bank, see `phonemeengine.dsp.mel.warped_mel_bank`.
     reverberates : whether it is said in a room.
     background : whether there are other sounds.
     chain : what it is recorded through.

@@ -17,15 +17,15 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from phonemeengine.arrays import Float32Array, Int64Array
-from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.calibration.training_examples import (
+from phonemeengine.calibration.fine_tuning import (
     N_SOFT_LABELS,
     TrainingExample,
     example_of,
     sound_of,
     whisper_mels_of,
 )
-from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
+from phonemeengine.dsp.mel import N_BANDS
 from phonemeengine.encoder.weights import N_MELS
 from phonemeengine.errors import CorpusError, EngineError
 from phonemeengine.execution import end_with_parent

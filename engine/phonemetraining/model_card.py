@@ -6,7 +6,7 @@ from dataclasses import fields
 import numpy as np
 
 from phonemeengine.calibration.scores.scoring import Scores
-from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.dsp.mel import N_BANDS
 from phonemeengine.encoder.graph import BACK
 from phonemeengine.encoder.head import CONTEXT
 from phonemeengine.encoder.whisper import LAYER, WHISPER_LICENCE

@@ -11,12 +11,11 @@ from typing_extensions import override
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.fine_tuning import HEAD_SHARES
-from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.dsp.mel import N_BANDS
 from phonemeengine.encoder.graph import BACK
 from phonemeengine.encoder.head import HALVES
-from phonemeengine.encoder.mel import LEAST_PEAK, PEAK_FALL
 from phonemeengine.encoder.weights import N_MELS, N_STATES
-from phonemeengine.encoder.whisper import DYNAMIC_RANGE
+from phonemeengine.encoder.whisper import DYNAMIC_RANGE, LEAST_PEAK, PEAK_FALL
 from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model, OutputHead

@@ -10,9 +10,8 @@ import torch
 from torch import Tensor
 
 from phonemeengine.arrays import Float64Array
-from phonemeengine.dsp.log_mel import FLOOR, SHORT, warped_mel_bank
-from phonemeengine.encoder.mel import LEAST_POWER
-from phonemeengine.encoder.whisper import ENCODER_RATE, N_FFT, slaney_bank
+from phonemeengine.dsp.mel import FLOOR, SHORT, warped_mel_bank
+from phonemeengine.encoder.whisper import ENCODER_RATE, LEAST_POWER, N_FFT, slaney_bank
 from phonemeengine.settings import SAMPLE_RATE
 
 GAINS = (-18.0, 8.0)

@@ -17,9 +17,8 @@ from numpy.typing import NDArray
 from torch import nn
 
 from phonemeengine.arrays import Float32Array, Int64Array
-from phonemeengine.calibration.fine_tuning import share_of_rate
+from phonemeengine.calibration.fine_tuning import N_SOFT_LABELS, certainties_of, share_of_rate
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
-from phonemeengine.calibration.training_examples import N_SOFT_LABELS, certainties_of
 from phonemeengine.encoder.head import CONTEXT, HALVES, EncoderHead
 from phonemeengine.encoder.whisper import MODEL_FILE, SpeechEncoder, WhisperEncoder
 from phonemeengine.execution import end_with_parent

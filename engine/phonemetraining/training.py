@@ -22,7 +22,7 @@ from typing_extensions import override
 from phonemeengine.arrays import Float32Array, Int64Array
 from phonemeengine.calibration.fine_tuning import VISEME_SHARE, share_of_rate
 from phonemeengine.encoder.head import HALVES
-from phonemeengine.encoder.mel import LEAST_PEAK
+from phonemeengine.encoder.whisper import LEAST_PEAK
 from phonemeengine.storage.files import atomic_write
 from phonemetraining.config import TrainingConfig
 from phonemetraining.examples import Examples

@@ -15,8 +15,7 @@ from phonemeengine.calibration.scores.scoring import Answers, scores_of
 from phonemeengine.encoder.live import LOOK_AHEADS, LiveEncoder
 from phonemeengine.execution import end_with_parent
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.encoded import OVERLAP, STRETCH, EncodedRecogniser
-from phonemeengine.recognition.learned import LearnedRecogniser
+from phonemeengine.recognition.learned import OVERLAP, STRETCH, EncodedRecogniser, LearnedRecogniser
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.scores import Sensitivity
 from phonemeengine.recognition.searched import searched

@@ -8,8 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.scores import SCORES, ScoredRecogniser, Sensitivity
+from phonemeengine.recognition.scores import SCORES, Recognition, ScoredRecogniser, Sensitivity
 from phonemeengine.recognition.spec import RecogniserSpec, Tuning
 from phonemeengine.settings import FRAME_PERIOD
 

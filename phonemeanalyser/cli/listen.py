@@ -35,8 +35,8 @@ from phonemeengine import (
     timed_frames,
 )
 from phonemeengine.analyser import latest_reading
-from phonemeengine.audio.devices import chosen_input, inputs_of
 from phonemeengine.audio.resampling import HIGHEST_RATE, LOWEST_RATE
+from phonemeengine.audio.stream import chosen_input, inputs_of
 from phonemeengine.features.feeling import FeelingEstimator
 from phonemeengine.live.listener import Latency
 from phonemeengine.mouth.osc import OscAddress, OscSettings

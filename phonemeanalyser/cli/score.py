@@ -31,8 +31,8 @@ from phonemeengine.batch.runner import BatchOptions
 from phonemeengine.batch.work import JobState, Outcome
 from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR, AddedNoise, NoiseKind
 from phonemeengine.calibration.scores.comparison import compare
-from phonemeengine.calibration.scores.confusion import ERROR_COLUMNS, label_errors
 from phonemeengine.calibration.scores.evaluation import CorpusScores, corpus_scores_of
+from phonemeengine.calibration.scores.scoring import ERROR_COLUMNS, label_errors
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.calibration.workbench.phoneme_data_table import NUMBER_COLUMNS, number_rows, number_table
 from phonemeengine.storage.files import printable, printable_name

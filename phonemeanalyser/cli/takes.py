@@ -8,7 +8,7 @@ from pathlib import Path
 
 from phonemeengine import TakeError
 from phonemeengine.calibration.takes.project import TakeProject
-from phonemeengine.calibration.takes.take_list import LIST
+from phonemeengine.calibration.takes.take import LIST
 
 EXAMPLES = (
     "phonemeanalyser takes my-takes",

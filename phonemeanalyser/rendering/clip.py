@@ -35,12 +35,12 @@ from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice, Driving
 from phonemeengine.conversion.options import ConversionOptions
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts, edited_keys, made_of, open_sound
 from phonemeengine.execution import Progress, no_progress, report_progress, subrange
+from phonemeengine.mouth.animation import difference_in_words, movement_difference
 from phonemeengine.mouth.cues import MOST_ANTICIPATION
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.files.io import FaceFiles
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.key_layer import NO_KEYS, KeyLayer
-from phonemeengine.mouth.movement_difference import difference_in_words, movement_difference
 from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import USUAL_TABLE
 from phonemeengine.performance.face_network import sound_of

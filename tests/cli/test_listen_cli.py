@@ -18,7 +18,7 @@ import soundfile
 from phonemeanalyser.cli import listen as listening
 from phonemeanalyser.cli.listen import ChangePrinter, json_line, text_line
 from phonemeanalyser.cli.main import main
-from phonemeengine.audio.devices import InputChoice
+from phonemeengine.audio.stream import InputChoice
 from phonemeengine.errors import RecordingError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, factory_preset, load_preset

@@ -10,7 +10,7 @@ from pythonosc.udp_client import SimpleUDPClient
 from phonemeanalyser.cli import listen as listening
 from phonemeanalyser.cli.main import main
 from phonemeengine import Expression, OscExpression, held_expression
-from phonemeengine.audio.devices import InputChoice
+from phonemeengine.audio.stream import InputChoice
 from phonemeengine.mouth.osc import OscAddress, OscSettings
 from phonemeengine.mouth.table import USUAL_TABLE, load_table
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset

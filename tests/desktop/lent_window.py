@@ -25,7 +25,7 @@ from phonemeanalyser.desktop.talk.page import TalkPage
 from phonemeanalyser.desktop.theme import apply_theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
 from phonemeanalyser.desktop.window import ANALYSE, CALIBRATE, TALK, MainWindow
-from phonemeengine.audio.tone.settings import Tone
+from phonemeengine.audio.tone import Tone
 from phonemeengine.mouth.files.io import FaceFiles
 from phonemeengine.mouth.head import USUAL_HEAD
 from phonemeengine.phonemes import Phoneme

@@ -18,7 +18,7 @@ from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.analyser import Analysis
-from phonemeengine.audio.devices import Device, InputChoice
+from phonemeengine.audio.stream import Device, InputChoice
 from phonemeengine.errors import DeviceError
 from phonemeengine.live.loopback import Loopback, measure_loopback
 from tests.desktop.hands import answer, press

@@ -26,7 +26,7 @@ from phonemeanalyser.desktop.talk.words.text_panel import short_name
 from phonemeanalyser.desktop.talk.words.voice_model import installed
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.output import ClockOutput
-from phonemeengine.audio.tone.settings import ToneKind
+from phonemeengine.audio.tone import ToneKind
 from phonemeengine.calibration.sentences import LANGUAGES
 from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.calibration.takes.quality import Fault, check_take

@@ -10,7 +10,7 @@ from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.calibrate.guide.guide_model import Phase
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeengine.audio.output import ClockOutput
-from phonemeengine.audio.tone.settings import Tone, ToneKind
+from phonemeengine.audio.tone import Tone, ToneKind
 from phonemeengine.presets.files import FACTORY
 from tests.desktop.hands import click, followed, lies_behind, settle, shown
 

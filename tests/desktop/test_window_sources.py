@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QAbstractButton, QAbstractSpinBox, QApplication, Q
 
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.window import MainWindow
-from phonemeengine.audio.devices import Device
-from phonemeengine.audio.tone.settings import ToneKind
+from phonemeengine.audio.stream import Device
+from phonemeengine.audio.tone import ToneKind
 from phonemeengine.presets.files import DEFAULT_PRESET
 from tests.desktop.hands import lies_behind, press, settle
 from tests.desktop.studio import Booth, choose

@@ -3,9 +3,8 @@
 import json
 import sys
 
-from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.input import CardInput
-from phonemeengine.audio.stream import devices
+from phonemeengine.audio.stream import InputChoice, devices
 
 microphone = CardInput(InputChoice())
 n_heard = 0

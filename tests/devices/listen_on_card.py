@@ -6,7 +6,7 @@ import sys
 import time
 from pathlib import Path
 
-from phonemeengine.audio.devices import InputChoice
+from phonemeengine.audio.stream import InputChoice
 from phonemeengine.live.listener import Listener
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset

@@ -3,7 +3,7 @@
 import json
 from dataclasses import asdict
 
-from phonemeengine.audio.devices import InputChoice
+from phonemeengine.audio.stream import InputChoice
 from phonemeengine.errors import EngineError
 from phonemeengine.live.loopback import measure_loopback
 

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 import soundfile
 
-from phonemeengine.audio.devices import InputChoice
-from phonemeengine.audio.dropouts import DropoutMeter
 from phonemeengine.audio.files import SoundReader
+from phonemeengine.audio.input import DropoutMeter
+from phonemeengine.audio.stream import InputChoice
 from phonemeengine.live.player import Player
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.fakes.microphones import REFUSAL, HandDrivenMicrophone, Hear, frames_in

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from phonemeengine import Analyser, Phoneme, analyse_blocks, load_head, load_preset, load_table, transcribe
-from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.resampling import resample_whole
+from phonemeengine.audio.stream import InputChoice
 from phonemeengine.errors import AudioError, RecogniserError
 from phonemeengine.live.listener import Listener
 from phonemeengine.presets.model_choice import for_live_use, with_small_network

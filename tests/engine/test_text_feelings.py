@@ -7,7 +7,7 @@ import pytest
 from phonemeengine import Phoneme, TextError, Utterance
 from phonemeengine.labels.utterance import Phone, Syllable, Word
 from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.expression.text_feeling import text_expression, timed_feelings
+from phonemeengine.mouth.expression.felt import text_expression, timed_feelings
 from phonemeengine.text.feelings import SHIPPED, load_feelings, passages_of
 
 SMILE, FROWN = ARKIT.index("mouthSmileLeft"), ARKIT.index("mouthFrownLeft")

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from phonemeengine.errors import ModelError
-from phonemeengine.labels.articulation import IPA_LETTERS
-from phonemeengine.labels.phone_sets import ipa_phoneme
+from phonemeengine.labels.phone_sets import IPA_LETTERS, ipa_phoneme
 from phonemeengine.labels.visemes import (
     NO_VISEME,
     PHONEME_VISEMES,

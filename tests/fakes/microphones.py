@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from phonemeengine.analyser import Analysis, analyse_blocks
-from phonemeengine.audio.devices import InputChoice
+from phonemeengine.audio.stream import InputChoice
 from phonemeengine.dsp.framing import LEAD
 from phonemeengine.errors import DeviceError
 from phonemeengine.live.listener import Listener

@@ -14,7 +14,7 @@ EXAMPLE = Path(__file__).parents[2] / "examples" / "own_recogniser"
 HEAD = """
 import numpy as np
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.recognition import RuleComparison, Trace
+from phonemeengine.recognition.scores import RuleComparison, Trace
 
 
 class Plain:

@@ -92,7 +92,7 @@ def test_the_recogniser_that_the_docs_add_recognises() -> None:
 def test_the_source_that_the_docs_add_has_all_that_a_source_has() -> None:
     code = (ROOT / "phonemeanalyser/desktop/session/sources.py").read_text(encoding="utf-8")
     code = code.replace("class SourceKind(StrEnum):", "class SourceKind(StrEnum):\n    RAIN = 'rain'")
-    imports = "from phonemeengine.audio.tone.settings import Tone, ToneKind\n"
+    imports = "from phonemeengine.audio.tone import Tone, ToneKind\n"
     found = defined_by(f"{imports}{code}\n{blocks_of('A source of sound', 'python')[0]}")
     with_sound = found["RainSource"](Preset(), Playback(lambda _n: ClockOutput()))
     assert (with_sound.name, with_sound.seekable, with_sound.playing) == ("rain", False, False)

@@ -18,7 +18,7 @@ from phonemeanalyser.server.files import FIELDS
 from phonemeengine.conversion.options import OPTIONS, SERVED, Option
 from phonemeengine.errors import PresetError
 from phonemeengine.features.variables import BUILT_IN_NAMES, Kind, Spectrum
-from phonemeengine.labels.articulation import ARTICULATIONS, CONSONANT_CLASSES, VOWEL_CLASSES
+from phonemeengine.labels.phone_sets import ARTICULATIONS, CONSONANT_CLASSES, VOWEL_CLASSES
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.style import GROUPS, limits_of
 from phonemeengine.mouth.table import shipped_tables

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import soundfile
 
-from phonemeengine.calibration.background_sounds import desk, music
+from phonemeengine.calibration.scores.added_noise import desk, music
 from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.phonemes import Phoneme
 from tools.voices import drascula, gcin, nexuiz, queen, recordings, sky

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from phonemeengine.calibration.background_sounds import BACKGROUNDS, music
+from phonemeengine.calibration.scores.added_noise import BACKGROUNDS, music
 from phonemeengine.settings import SAMPLE_RATE
 from phonemetraining.augmentation import (
     CHAINS,

@@ -8,10 +8,16 @@ import pytest
 import torch
 
 from phonemeengine.calibration.adaptation import adapt
-from phonemeengine.calibration.fine_tuning import VISEME_SHARE, Optimiser
+from phonemeengine.calibration.fine_tuning import (
+    N_SOFT_LABELS,
+    NOT_SAID,
+    VISEME_SHARE,
+    Optimiser,
+    TrainingExample,
+    example_of,
+)
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.calibration.training_examples import N_SOFT_LABELS, NOT_SAID, TrainingExample, example_of
-from phonemeengine.dsp.log_mel import N_BANDS, silent_log_mels
+from phonemeengine.dsp.mel import N_BANDS, silent_log_mels
 from phonemeengine.encoder.live import EncoderStream, build_live_encoder, open_live_encoder
 from phonemeengine.encoder.weights import shapes_of
 from phonemeengine.errors import CorpusError

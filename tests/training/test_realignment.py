@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from phonemeengine.calibration.training_examples import N_SOFT_LABELS
+from phonemeengine.calibration.fine_tuning import N_SOFT_LABELS
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemetraining.realignment import FARTHEST, evidence_of, moves_of, realigned

@@ -13,8 +13,7 @@ import numpy as np
 
 from phonemeengine import Animation, ExportOptions, IdleMotion, SoundReader, Transcript
 from phonemeengine.analyser import analyse_file
-from phonemeengine.labels.articulation import ARTICULATIONS, letters_of
-from phonemeengine.labels.phone_sets import ipa_of, marks_silence, phone_classes_in
+from phonemeengine.labels.phone_sets import ARTICULATIONS, ipa_of, letters_of, marks_silence, phone_classes_in
 from phonemeengine.labels.table import raw_labels_of
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.mouth.blendshape_names import ARKIT

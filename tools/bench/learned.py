@@ -10,8 +10,8 @@ import scipy.fft
 from phonemeengine.analyser import BLOCK, analyse_blocks
 from phonemeengine.calibration.adaptation import adapt_live_head
 from phonemeengine.calibration.calibrate import calibrate
+from phonemeengine.calibration.fine_tuning import example_of, sound_of, whisper_mels_of
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.calibration.training_examples import example_of, sound_of, whisper_mels_of
 from phonemeengine.encoder.model_folder import has_whisper
 from phonemeengine.features.measure import Features
 from phonemeengine.labels.files import read_labels

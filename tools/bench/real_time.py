@@ -5,7 +5,7 @@ import threading
 import time
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.devices import InputChoice
+from phonemeengine.audio.stream import InputChoice
 from phonemeengine.live.listener import Listener
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.model_choice import has_model, with_real_time_model, with_small_network

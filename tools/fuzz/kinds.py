@@ -32,8 +32,7 @@ from phonemeengine.mouth.expression.streams import load_expressions
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.files.obj import parse_obj
-from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
-from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
+from phonemeengine.mouth.files.threedm import format_3dm, format_3dma, parse_3dm, parse_3dma
 from phonemeengine.mouth.files.x_file import parse_x
 from phonemeengine.mouth.morph_mesh import morph_targets_of
 from phonemeengine.mouth.movestate import MovestateSet

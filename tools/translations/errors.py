@@ -17,7 +17,6 @@ LIST = ROOT / "phonemeanalyser" / "desktop" / "engine_errors.txt"
 WITHOUT_WINDOW = {
     "alignment/growing.py",
     "audio/incoming.py",
-    "audio/ogg_opus.py",
     "audio/wav.py",
     "batch/cluster.py",
     "batch/remote.py",

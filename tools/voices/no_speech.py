@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from phonemeengine.calibration.background_sounds import desk, music
+from phonemeengine.calibration.scores.added_noise import desk, music
 from tools.voices.classes import PLAIN, table_of
 from tools.voices.labels import Segment
 from tools.voices.writing import SAMPLE_RATE, Speaker, Utterance, UtteranceWriter, replace_speaker

@@ -16,9 +16,8 @@ from typing_extensions import override
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.containers import CONTAINER_SUFFIXES, ContainerDecoder, container_format
-from phonemeengine.audio.file_access import FileSlice, open_checked
 from phonemeengine.audio.headers import ADVICE, Extent, after_id3, extent_of
-from phonemeengine.audio.libsndfile import DecodingError, FileDecoder
+from phonemeengine.audio.libsndfile import DecodingError, FileDecoder, FileSlice, open_checked
 from phonemeengine.audio.mixing import PLAIN, Mix, measured_mix
 from phonemeengine.audio.resampling import HIGHEST_RATE, LOWEST_RATE, Resampler
 from phonemeengine.errors import AudioError

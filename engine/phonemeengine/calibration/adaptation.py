@@ -14,10 +14,18 @@ from functools import partial
 import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
-from phonemeengine.calibration.fine_tuning import HEAD_SHARES, TrainingSegment, fine_tuned, softmax_of
+from phonemeengine.calibration.fine_tuning import (
+    HEAD_SHARES,
+    TrainingExample,
+    TrainingSegment,
+    example_of,
+    fine_tuned,
+    softmax_of,
+    sound_of,
+    whisper_mels_of,
+)
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.calibration.training_examples import TrainingExample, example_of, sound_of, whisper_mels_of
-from phonemeengine.dsp.log_mel import silent_log_mels
+from phonemeengine.dsp.mel import silent_log_mels
 from phonemeengine.encoder.head import HALVES, N_OUTPUTS
 from phonemeengine.encoder.live import LiveHead, open_live_encoder
 from phonemeengine.errors import CorpusError

@@ -15,12 +15,11 @@ from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.face_driver import FaceDriver, usual_driver
 from phonemeengine.mouth.style import NEUTRAL, Style, load_style, neutral_style
 from phonemeengine.mouth.transcript import Transcript
-from phonemeengine.performance.choice import ExampleChoice
+from phonemeengine.performance.choice import ExampleChoice, chosen_table
 from phonemeengine.performance.driver import PerformanceOptions, PerformancePart
 from phonemeengine.performance.face_network import FaceNetwork, FaceNetworkTrack, Sound, load_face_network
 from phonemeengine.performance.keywords import load_keywords
 from phonemeengine.performance.own_sound import OwnSound
-from phonemeengine.performance.table_choice import chosen_table
 from phonemeengine.performance.table_file import PerformanceTable
 from phonemeengine.performance.track import PerformanceTrack, format_units, owns
 from phonemeengine.speech.pinyin.spring import Spring

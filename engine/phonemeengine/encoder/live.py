@@ -20,10 +20,9 @@ from typing_extensions import override
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.encoder.graph import HEAD_SIZE, N_HALVES, SLOTS, Weights, live_graph, live_inputs
 from phonemeengine.encoder.head import N_OUTPUTS
-from phonemeengine.encoder.mel import LEAST_POWER, SILENT, RunningScale
 from phonemeengine.encoder.runtime import has_runtime, open_session
 from phonemeengine.encoder.weights import N_MELS
-from phonemeengine.encoder.whisper import WHISPER_LICENCE
+from phonemeengine.encoder.whisper import LEAST_POWER, SILENT, WHISPER_LICENCE, RunningScale
 from phonemeengine.errors import ModelError
 from phonemeengine.storage.files import read_file, write_file
 
@@ -124,7 +123,7 @@ def build_live_encoder(
     bits : 8, or 32 for weights as they are.
     about : what it was trained with, as of `phonemeengine.recognition.model.Model`: texts and numbers by name.
     anchors : excerpts of the speech that it was trained on, so that an adaptation to one voice does not forget them,
-        as `phonemeengine.encoder.mel.whisper_log_mels` gives it, shape (n, n_frames, 80); None for none.
+        as `phonemeengine.encoder.whisper.whisper_log_mels` gives it, shape (n, n_frames, 80); None for none.
     """
     mix = mix or EncoderMix()
     known = {"format": FORMAT, "encoder_share": mix.encoder_share, "weakened": mix.weakened, "priors": mix.priors}
@@ -260,7 +259,7 @@ class OpenEncoder:
         Parameters
         ----------
         streams : of the same look-ahead, made for this model.
-        logarithms : of each, as `phonemeengine.encoder.mel.whisper_log_mels` gives them, shape (n_k, 80).
+        logarithms : of each, as `phonemeengine.encoder.whisper.whisper_log_mels` gives them, shape (n_k, 80).
 
         Returns
         -------

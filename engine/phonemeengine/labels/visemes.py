@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import BoolArray, UInt8Array
 from phonemeengine.errors import ModelError
-from phonemeengine.labels.articulation import letters_of
+from phonemeengine.labels.phone_sets import letters_of
 from phonemeengine.phonemes import Phoneme
 
 

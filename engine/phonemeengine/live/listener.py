@@ -17,11 +17,10 @@ from typing_extensions import override
 
 from phonemeengine.analyser import Analyser, Analysis, Reading, latest_reading
 from phonemeengine.arrays import Float32Array, Float64Array
-from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.input import CardInput, Input
 from phonemeengine.audio.level import Level, PeakMeter
 from phonemeengine.audio.mixing import cancels
-from phonemeengine.audio.stream import STALLED, missing_library
+from phonemeengine.audio.stream import STALLED, InputChoice, missing_library
 from phonemeengine.errors import DeviceError
 from phonemeengine.execution import Closing
 from phonemeengine.live.recorder import Recorder

@@ -7,10 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.input import CardInput, Input
 from phonemeengine.audio.output import CardOutput, Output
-from phonemeengine.audio.stream import STALLED
+from phonemeengine.audio.stream import STALLED, InputChoice
 from phonemeengine.errors import DeviceError
 from phonemeengine.settings import SAMPLE_RATE
 

@@ -15,9 +15,7 @@ import numpy as np
 
 from phonemeengine.analyser import Analyser, Analysis
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.output import ClockOutput, Output, open_output
-from phonemeengine.audio.slowed_output import SlowedOutput
-from phonemeengine.audio.source import Reader
+from phonemeengine.audio.output import ClockOutput, Output, Reader, SlowedOutput, open_output
 from phonemeengine.audio.stream import STALLED
 from phonemeengine.errors import DeviceError, EngineError
 from phonemeengine.presets.preset import Preset

@@ -13,7 +13,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from phonemeengine.errors import MouthError, check_range
-from phonemeengine.labels.articulation import narrowest
+from phonemeengine.labels.phone_sets import narrowest
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import VOWELS, Phoneme
 from phonemeengine.recognition.segments import Segment

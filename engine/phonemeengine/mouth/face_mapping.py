@@ -1,4 +1,4 @@
-"""Which shapes of a face stand for which of ours: guessed by their names, and put into a mouth table.
+"""Which shapes of a face, or action units of FACS, stand for which of ours: guessed by names, put into a mouth table.
 
 A guess compares names without their case, sides, and what programs put before them, with those of `SHAPE_NAMES`; what
 is left is compared letter by letter. Bones that turn stand in for shapes that a face does not have.
@@ -295,3 +295,32 @@ def _alike(
 def _mapping(names: Sequence[str], basis: str, targets: Mapping[str, Mapping[str, float]]) -> FaceMapping:
     used = {name for shapes in targets.values() for name in shapes}
     return FaceMapping(basis, targets, tuple(name for name in names if name not in used))
+
+
+HIGHEST = 65
+"""The number of the last action unit that moves eyes or face."""
+_UNIT = re.compile(r"au\d+(?:left|right|lower|upper)?")
+
+
+def is_unit(name: str) -> bool:
+    """Return whether a name is that of an action unit, such as ``AU12``, ``au45L`` or ``AU28_Lower``."""
+    return _UNIT.fullmatch(shape_key(name).stem) is not None
+
+
+def shapes_moved_by(names: Sequence[str]) -> dict[str, tuple[int, ...]]:
+    """Return the blend shapes of ARKit that action units move, each with the places of its units among the names.
+
+    A shape's weight is the mean of theirs; names of other things are passed over.
+    """
+    places = {name: k for k, name in enumerate(names) if is_unit(name)}
+    targets = guess_mapping([*places], "arkit").targets
+    return {shape: tuple(places[name] for name in units) for shape, units in targets.items()}
+
+
+@cache
+def units_shown() -> dict[str, tuple[str, ...]]:
+    """Return the action units that blend shapes of ARKit can show, each with these; its intensity is their mean."""
+    names = [f"AU{number:02}" for number in range(1, HIGHEST + 1)]
+    shapes = shapes_moved_by(names)
+    found = {name: tuple(shape for shape, units in shapes.items() if k in units) for k, name in enumerate(names)}
+    return {name: some for name, some in found.items() if some}

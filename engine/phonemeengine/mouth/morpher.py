@@ -24,7 +24,7 @@ from typing import TypeVar
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.labels.articulation import narrowest
+from phonemeengine.labels.phone_sets import narrowest
 from phonemeengine.mouth.blendshape_names import TONGUE
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import VOWELS, Phoneme

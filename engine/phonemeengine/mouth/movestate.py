@@ -1,7 +1,10 @@
-"""A movestate: a morph target, stored as what differs from the mesh; and all those of a mesh, each on by so much."""
+"""A movestate: a morph target, stored as what differs from the mesh; and all those of a mesh, each on by so much.
+
+Combination shapes correct what others look like together, such as ``mouthSmile_jawOpen``.
+"""
 
 import math
-from collections.abc import Hashable, Iterable, Mapping, Sequence
+from collections.abc import Collection, Hashable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Generic, TypeVar
@@ -11,7 +14,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from phonemeengine.arrays import BoolArray, Float32Array, Float64Array, UInt32Array
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.combinations import combinations_of, combined
 from phonemeengine.mouth.mesh import FARTHEST, MOST_VERTICES, Mesh
 
 LEAST_MOVE = 0.0001
@@ -356,3 +358,41 @@ def _mover_of(state: Movestate) -> _Run | _Scattered:
     if len(state) and int(state.numbers[-1]) - int(state.numbers[0]) < SPREAD * len(state):
         return _Run(state)
     return _Scattered(state)
+
+
+Parts = tuple[tuple[str, ...], ...]
+"""The shapes that a combination is made of; one without a side is both of its sides."""
+
+
+def combinations_of(names: Collection[str]) -> dict[str, Parts]:
+    """Return the shapes whose names are those of two or more others, joined by underscores, each with these.
+
+    ``mouthSmile_jawOpen`` is of both sides of ``mouthSmile`` and of ``jawOpen``, where the former has two sides.
+    """
+    known = {*names}
+    found = {name: _parts_of(name.split("_"), known - {name}) for name in names if "_" in name}
+    return {name: parts for name, parts in found.items() if len(parts) > 1}
+
+
+def combined(parts: Parts, weights: Mapping[str, ArrayLike]) -> Float32Array:
+    """Return how far a combination moves: the product of its parts, 0..1 each, of which both sides are the mean.
+
+    Parameters
+    ----------
+    weights : of all shapes by name, 1 for the whole movement, in arrays of one form.
+    """
+    means = [np.array([weights[name] for name in shapes], np.float32).mean(axis=0) for shapes in parts]
+    shares: Float32Array = np.prod(np.clip(means, 0, 1), axis=0)
+    return shares
+
+
+def _parts_of(words: list[str], known: Collection[str]) -> Parts:
+    """Return the shapes of which words are made, the longest first; none where a word is left over."""
+    for n in range(len(words), 0, -1):
+        name = "_".join(words[:n])
+        sides = (f"{name}Left", f"{name}Right")
+        first = (name,) if name in known else sides if all(side in known for side in sides) else ()
+        rest = _parts_of(words[n:], known) if first and n < len(words) else ()
+        if first and (rest or n == len(words)):
+            return (first, *rest)
+    return ()

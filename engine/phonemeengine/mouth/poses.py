@@ -12,7 +12,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
-from phonemeengine.labels.articulation import ARTICULATIONS, narrowest
+from phonemeengine.labels.phone_sets import ARTICULATIONS, narrowest
 from phonemeengine.mouth.style_numbers import PoseNumbers
 from phonemeengine.mouth.table import movestates_of, phone_named, shape_named, shapes_in
 from phonemeengine.storage.strict_table import StrictTable, load_text, parse_toml

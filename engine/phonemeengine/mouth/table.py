@@ -20,7 +20,7 @@ import tomli_w
 
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.errors import MouthError, check_range, remedy
-from phonemeengine.labels.articulation import ARTICULATIONS, IPA_LETTERS, articulations_of, letters_of, narrowest
+from phonemeengine.labels.phone_sets import ARTICULATIONS, IPA_LETTERS, articulations_of, letters_of, narrowest
 from phonemeengine.mouth.blendshape_names import NAMES, both_sides
 from phonemeengine.mouth.style_numbers import MovementNumbers
 from phonemeengine.phonemes import Phoneme

@@ -1,4 +1,4 @@
-"""Which of the recorded examples of a unit is taken: any, the nearest in length, or those that fit best together."""
+"""Which recorded example of a unit is taken: any, the nearest in length, or the best fitting; and of which table."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -9,11 +9,13 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import PerformanceError
-from phonemeengine.labels.articulation import OPENNESS, articulations_of, letters_of
+from phonemeengine.labels.phone_sets import OPENNESS, articulations_of, letters_of
 from phonemeengine.performance.halves import TRAITS, RecordedHalves, Recordings, bounds_of, traits_of
 from phonemeengine.performance.recording import SILENCE, PerformedPhone
-from phonemeengine.performance.table_file import Example, PerformanceTable
+from phonemeengine.performance.table_file import Example, PerformanceTable, TableAbout
 from phonemeengine.performance.units import Sentence, Unit, UnitKind, duration_of, units_of
+from phonemeengine.storage.files import printable
+from phonemeengine.text.mandarin import TAGS
 
 # The search for the units of a sentence in a table: long ones first, and what was not recorded by what is like it.
 
@@ -301,3 +303,66 @@ def _join_costs(before: Sequence[Chosen], after: Sequence[Chosen]) -> Float32Arr
     starts = np.stack([halves.joints[example.first] for halves, example in after])
     costs: Float32Array = np.abs(ends[:, None] - starts).sum(axis=2)
     return costs
+
+
+def chosen_table(tables: Sequence[TableAbout], use: str | None, person: str | None, language: str = "") -> int:
+    """Return the place of the one table that is asked for.
+
+    Where several have the name and the person, those of the language count, the nearest of its dialects first; where
+    none is of the language, those of no language do.
+
+    Parameters
+    ----------
+    tables : at least one.
+    use : its name; None for any.
+    person : who speaks; None for anybody.
+    language : of what is said; empty where that is not known.
+
+    Raises
+    ------
+    PerformanceError : there is none of the name or person, or several are left.
+    """
+    _check_named(tables, use, person)
+    found = [k for k, about in enumerate(tables) if use in {None, about.name} and person in {None, about.person}]
+    for near in (str.lower, _tongue):
+        spoken = [k for k in found if language and near(tables[k].language) == near(language)]
+        if spoken:
+            found = spoken
+            break
+    else:
+        found = [k for k in found if not tables[k].language] or found
+    if len(found) > 1:
+        names = _listed(tables[k].name for k in found)
+        raise PerformanceError(
+            f"one table moves a face, and there are {names}; name one of them with --use, or a person with --person "
+            "and the language of the text with --language"
+        )
+    return found[0]
+
+
+def _check_named(tables: Sequence[TableAbout], use: str | None, person: str | None) -> None:
+    """Refuse a person or a name that none of the tables has."""
+    persons = dict.fromkeys(about.person for about in tables if about.person)
+    if person is not None and person not in persons:
+        asked = printable(person[:40])
+        if not persons:
+            raise PerformanceError(
+                f"there is no table of {asked!r}, as none says who speaks in it; leave --person out"
+            )
+        raise PerformanceError(
+            f"there is no table of {asked!r}, but of {_listed(persons)}; choose another one with --person"
+        )
+    names = [about.name for about in tables if person in {None, about.person}]
+    if use is not None and use not in names:
+        raise PerformanceError(
+            f"there is no such table {printable(use[:40])!r}, but {_listed(names)}; choose another one with --use"
+        )
+
+
+def _listed(names: Iterable[str]) -> str:
+    return ", ".join(repr(printable(name[:40])) for name in names)
+
+
+def _tongue(tag: str) -> str:
+    """Return a language without its dialect."""
+    return "cmn" if tag.lower() in TAGS else tag.lower().partition("-")[0]

@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 
 from phonemeengine.errors import CorpusError
-from phonemeengine.mouth.action_units import shapes_moved_by
 from phonemeengine.mouth.blendshape_names import OPENFACE_POSE, STRONGEST_UNIT
 from phonemeengine.mouth.exports.openface import head_turns
 from phonemeengine.mouth.expression.streams import ExpressionStream, recorded_expression
+from phonemeengine.mouth.face_mapping import shapes_moved_by
 from phonemeengine.performance.face_track import FaceTrack, captured
 from phonemeengine.performance.livelink import numbers_of, parse_livelink
 from phonemeengine.performance.recording import HEAD

@@ -26,7 +26,7 @@ from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.framing import Framer
-from phonemeengine.dsp.log_mel import log_mels, silent_log_mels
+from phonemeengine.dsp.mel import log_mels, silent_log_mels
 from phonemeengine.encoder.head import softmax
 from phonemeengine.errors import EngineError, ModelError
 from phonemeengine.mouth.animation import MovementTrack

@@ -7,8 +7,8 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import CorpusError
-from phonemeengine.mouth.action_units import shapes_moved_by
 from phonemeengine.mouth.blendshape_names import ARKIT, SHOULDERS
+from phonemeengine.mouth.face_mapping import shapes_moved_by
 
 LONGEST_GAP = 0.1
 """Seconds without a frame that are bridged."""

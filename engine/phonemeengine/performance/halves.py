@@ -8,7 +8,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array, IndexArray
-from phonemeengine.labels.articulation import articulations_of, letters_of
+from phonemeengine.labels.phone_sets import articulations_of, letters_of
 from phonemeengine.performance.recording import SILENCE, Performance, PerformedPhone
 from phonemeengine.performance.table_file import PerformanceTable
 

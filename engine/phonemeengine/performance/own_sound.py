@@ -5,6 +5,7 @@ their sounds are cut at pitch marks and joined. The sounds are read from beside 
 of an hour has 36 MB, its sounds ten times as much, and who hands on a face need not hand on a voice.
 """
 
+import glob
 import math
 import os
 import pickle
@@ -16,16 +17,18 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import groupby, pairwise
+from pathlib import Path
 from typing import Any, ClassVar, Protocol, TypeVar
 
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
-from phonemeengine.audio.files import SoundReader
+from phonemeengine.audio.files import SoundReader, is_sound
 from phonemeengine.dsp.overlap_add import SoundPiece, joined_pieces, pitch_marks
 from phonemeengine.errors import PerformanceError
 from phonemeengine.labels.phone_sets import ipa_phoneme
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word, retimed, shifted
+from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.performance.choice import (
     ChosenUnits,
     ExampleChoice,
@@ -36,10 +39,10 @@ from phonemeengine.performance.choice import (
     placed_units,
 )
 from phonemeengine.performance.corpus import measured, pitches_of
-from phonemeengine.performance.halves import Recordings, bounds_of
+from phonemeengine.performance.driver import FACE
+from phonemeengine.performance.halves import Recordings, bounds_of, weights_at
 from phonemeengine.performance.keywords import joined_words, phrases_in
-from phonemeengine.performance.original import original_sound
-from phonemeengine.performance.recording import SILENCE, Performance, PerformedPhone, phones_of
+from phonemeengine.performance.recording import HEAD, SILENCE, Performance, PerformedPhone, phones_of
 from phonemeengine.performance.table_file import Example, PerformanceTable
 from phonemeengine.performance.units import PAUSE, Sentence, Unit, UnitKind, sentences_in
 from phonemeengine.performance.word_strings import recorded_strings
@@ -398,3 +401,62 @@ def _words_of(clip: Performance, texts: Sequence[str], later: float) -> list[Wor
         found.append(syllables)
     named = texts if n_words == len(texts) else [" ".join(texts)]
     return [Word(text, syllables) for text, syllables in zip(named, found, strict=True)]
+
+
+class RecordedFace:
+    """A recording as it was tracked, for a performer to play: a `MouthTrack` of its own time.
+
+    Turns of the head are counted from their median, as a camera stands anywhere.
+
+    Parameters
+    ----------
+    performance : the recording.
+
+    Attributes
+    ----------
+    movestates : those of `FACE`, in the order of the weights; those that were not tracked are 0.
+    """
+
+    movestates = FACE
+
+    def __init__(self, performance: Performance) -> None:
+        self._performance = performance
+        places = {name: k for k, name in enumerate(performance.channels)}
+        self._shown = [(k, places[name]) for k, name in enumerate(FACE) if name in places]
+        turns = [places[name] for name in HEAD if name in places]
+        self._turns = turns if len(turns) == len(HEAD) else []
+        self._ahead = np.median(performance.weights[:, self._turns], axis=0)
+
+    def weights(self, time: float) -> Float32Array:
+        """Return the weights at a time, seconds, float32, shape (60,), 0..1."""
+        weights = np.zeros(len(FACE), np.float32)
+        frame = self._frame_at(time)
+        for place, column in self._shown:
+            weights[place] = frame[column]
+        return weights.clip(0, 1)
+
+    def head(self, time: float) -> HeadPose | None:
+        """Return how the head was turned at a time, seconds; None where that was not recorded."""
+        if not self._turns:
+            return None
+        return HeadPose(*(self._frame_at(time)[self._turns] - self._ahead).tolist())
+
+    def _frame_at(self, time: float) -> Float32Array:
+        frame: Float32Array = weights_at(self._performance.weights, np.array([time * self._performance.rate]))[0]
+        return frame
+
+
+def original_sound(
+    table: PerformanceTable, recording: str, folder: str | os.PathLike[str] | None = None
+) -> Path | None:
+    """Return the sound of a recording; None where there is none.
+
+    Parameters
+    ----------
+    table : in which it is.
+    recording : its name.
+    folder : where the recordings are; where the table was built of them, as seen from the table, if it is None.
+    """
+    place = table.path.parent / table.about.folder if folder is None else Path(folder)
+    found = sorted(place.glob(f"{glob.escape(recording)}.*")) if Path(recording).name == recording else []
+    return next((path for path in found if is_sound(path)), None)

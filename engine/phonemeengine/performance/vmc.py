@@ -21,7 +21,7 @@ from pathlib import Path
 import numpy as np
 
 from phonemeengine.errors import CorpusError
-from phonemeengine.mouth.action_units import is_unit
+from phonemeengine.mouth.face_mapping import is_unit
 from phonemeengine.performance.face_track import FaceTrack, captured, shape_name, shapes_in
 from phonemeengine.storage.files import printable_name, read_text_file
 

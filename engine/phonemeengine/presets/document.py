@@ -19,8 +19,7 @@ from phonemeengine.encoder.live import LiveEncoder, load_live_encoder
 from phonemeengine.errors import ModelError, PresetError, SettingsError
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.judgement import judgement_of
-from phonemeengine.presets.preset import Preset
+from phonemeengine.presets.preset import Preset, judgement_of
 from phonemeengine.recognition.confidence import ConfidenceCurve
 from phonemeengine.recognition.model import Model, load_model
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData, PitchSet

@@ -17,8 +17,7 @@ from phonemeengine.encoder.head import load_head, save_head
 from phonemeengine.encoder.live import LiveEncoder, load_live_encoder, save_live_encoder
 from phonemeengine.errors import EngineError, ModelError, PresetError, remedy
 from phonemeengine.presets.document import FRONT_END, INTENSITY, STATISTICS, preset_from_toml, preset_to_toml
-from phonemeengine.presets.judgement import judgement_of
-from phonemeengine.presets.preset import Preset
+from phonemeengine.presets.preset import Preset, judgement_of
 from phonemeengine.recognition.model import load_model, save_model
 from phonemeengine.recognition.phoneme_data import LAYOUT, PhonemeData
 from phonemeengine.recognition.spec import spec_of

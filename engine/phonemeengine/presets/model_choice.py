@@ -14,8 +14,7 @@ from phonemeengine.errors import ModelError
 from phonemeengine.labels.visemes import STANDARD_VISEMES
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.decoder import lag_of
-from phonemeengine.recognition.encoded import EncodedRecogniser
-from phonemeengine.recognition.learned import LearnedRecogniser
+from phonemeengine.recognition.learned import EncodedRecogniser, LearnedRecogniser
 from phonemeengine.recognition.model import LookAheadFigures, figures_by_look_ahead
 from phonemeengine.recognition.real_time import RealTimeRecogniser, real_time_look_ahead, states_ahead
 from phonemeengine.recognition.scores import Sensitivity
@@ -166,7 +165,7 @@ def states_in(preset: Preset, logarithms: Float32Array) -> Float32Array:
     Parameters
     ----------
     preset : one whose `Preset.model_kind` is ``encoder``.
-    logarithms : of the sound, as `phonemeengine.encoder.mel.whisper_log_mels` gives them, shape (n_frames, 80).
+    logarithms : of the sound, as `phonemeengine.encoder.whisper.whisper_log_mels` gives them, shape (n_frames, 80).
 
     Returns
     -------

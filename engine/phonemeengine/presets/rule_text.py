@@ -7,9 +7,8 @@ from phonemeengine.errors import PresetError
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import Variable, readable_name
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.recognition import Trace
-from phonemeengine.recognition.rule_checks import rule_faults
-from phonemeengine.recognition.rules import DEFAULT_RULE, Condition, Rule, limit_of, rule_labels
+from phonemeengine.recognition.rules import DEFAULT_RULE, Condition, Rule, limit_of, rule_faults, rule_labels
+from phonemeengine.recognition.scores import Trace
 from phonemeengine.recognition.spec import OWN_RULES, spec_of
 
 

@@ -20,9 +20,8 @@ from phonemeengine.arrays import BoolArray, Float32Array, IndexArray, UInt8Array
 from phonemeengine.errors import PresetError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
-from phonemeengine.recognition.recognition import Recognition, Trace
 from phonemeengine.recognition.rules import RuleRecogniser
-from phonemeengine.recognition.scores import LEAST_SHARE
+from phonemeengine.recognition.scores import LEAST_SHARE, Recognition, Trace
 from phonemeengine.settings import FRAME_PERIOD, Decoding
 
 Int32Array = NDArray[np.int32]

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from typing_extensions import override
 
 from phonemeengine.arrays import Float32Array, ShortRepr
-from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.dsp.mel import N_BANDS
 from phonemeengine.encoder.head import HALVES, N_OUTPUTS
 from phonemeengine.encoder.live import LiveHead
 from phonemeengine.errors import ModelError
@@ -83,7 +83,7 @@ class Model(ShortRepr):
     heads : one for each look-ahead, 0, 1, ... frames.
     warps : of the mel bands, as if the speaker's vocal tract were shorter (above 1) or longer; the answers for
         each are mixed, see `phonemeengine.recognition.learned`.
-    anchors : excerpts of the speech that it was trained on, as `phonemeengine.dsp.log_mel` gives it,
+    anchors : excerpts of the speech that it was trained on, as `phonemeengine.dsp.mel` gives it,
         shape (n, n_frames, 40), so that an adaptation to one voice does not forget them; may be empty.
     about : what it was trained with, in words, for people: name, speakers, seed, figures.
     viseme_heads : the same as `heads` for the visemes of its set; empty where it knows none.

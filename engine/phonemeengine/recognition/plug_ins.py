@@ -24,7 +24,7 @@ from phonemeengine.features.measure import Features
 from phonemeengine.labels.visemes import VisemeSet
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.recognition import Recognition, RuleComparison, Trace
+from phonemeengine.recognition.scores import Recognition, RuleComparison, Trace
 
 GROUP = "phonemeanalyser.recognisers"
 """The group of entry points in which packages offer recognisers."""

@@ -8,13 +8,12 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.encoder.graph import N_HALVES
 from phonemeengine.encoder.head import N_OUTPUTS, softmax
 from phonemeengine.encoder.live import LOOK_AHEADS, EncoderStream, OpenEncoder
-from phonemeengine.encoder.mel import whisper_log_mels
+from phonemeengine.encoder.whisper import whisper_log_mels
 from phonemeengine.features.measure import Features
 from phonemeengine.recognition.learned import LearnedRecogniser
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.network import ROOM
-from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.scores import SCORES, ScoredRecogniser, Sensitivity, agreed
+from phonemeengine.recognition.scores import SCORES, Recognition, ScoredRecogniser, Sensitivity, agreed
 from phonemeengine.settings import FRAME_PERIOD
 
 N_PHONEMES = len(SCORES)

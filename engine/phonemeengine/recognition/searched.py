@@ -9,8 +9,7 @@ import numpy as np
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.features.measure import Features
 from phonemeengine.recognition.decoder import ScoreSearch, SoundDecoder, evidence_in
-from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.scores import SCORES, ScoredRecogniser
+from phonemeengine.recognition.scores import SCORES, Recognition, ScoredRecogniser
 from phonemeengine.recognition.spec import Finishing, Recogniser
 from phonemeengine.settings import WINDOW
 

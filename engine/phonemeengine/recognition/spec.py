@@ -21,9 +21,8 @@ from phonemeengine.recognition.learned import LearnedRecogniser
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.phoneme_data import PitchSet, Thresholds
 from phonemeengine.recognition.plug_ins import PlugIn, call_foreign, package_of, plug_ins
-from phonemeengine.recognition.recognition import Recognition, Trace
 from phonemeengine.recognition.rules import RULES, PitchSetRules, Rule, RuleRecogniser, ThesisRules
-from phonemeengine.recognition.scores import NO_SENSITIVITIES, SCORES
+from phonemeengine.recognition.scores import NO_SENSITIVITIES, SCORES, Recognition, Trace
 from phonemeengine.recognition.templates import TemplateRecogniser, Templates
 
 

@@ -7,12 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from phonemeengine.arrays import LARGEST_FLOAT32, Float32Array, ShortRepr
-from phonemeengine.dsp.log_mel import N_CEPSTRA, cepstra_of, log_mels
+from phonemeengine.dsp.mel import N_CEPSTRA, cepstra_of, log_mels
 from phonemeengine.errors import SettingsError, check_range
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.scores import NO_SENSITIVITIES, ScoredRecogniser, Sensitivity
+from phonemeengine.recognition.scores import NO_SENSITIVITIES, Recognition, ScoredRecogniser, Sensitivity
 
 UNTEMPLATED = (Phoneme.SILENCE, Phoneme.UNIDENTIFIED)
 """What has no template."""

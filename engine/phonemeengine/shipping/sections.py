@@ -7,8 +7,7 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 from numpy.typing import ArrayLike
 
-from phonemeengine.dsp.log_mel import FLOOR, cepstral_cosines, short_window, warped_mel_bank
-from phonemeengine.dsp.mel import mel_bank, mel_edges
+from phonemeengine.dsp.mel import FLOOR, cepstral_cosines, mel_bank, mel_edges, short_window, warped_mel_bank
 from phonemeengine.dsp.spectrum import SpectrumAnalyser, window_of
 from phonemeengine.errors import PresetError
 from phonemeengine.features.front_end import shaper_of

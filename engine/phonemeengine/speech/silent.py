@@ -10,15 +10,21 @@ from phonemeengine.errors import TextError, VoiceError
 from phonemeengine.labels.utterance import Utterance, Word
 from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
 from phonemeengine.settings import FRAME_PERIOD
-from phonemeengine.speech.pinyin.driver import AFTERWARDS
 from phonemeengine.speech.pinyin.script import Read, Written, chinese_parts, clause_parts
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
-from phonemeengine.speech.pinyin.timing import USUAL_RATE, Plan, PlanRow, SaidPart, pause_unit, said_at_rate
+from phonemeengine.speech.pinyin.timing import (
+    AFTERWARDS,
+    USUAL_RATE,
+    Plan,
+    PlanRow,
+    SaidPart,
+    pause_unit,
+    said_at_rate,
+)
 from phonemeengine.text import mandarin
-from phonemeengine.text.cleaning import speakable
+from phonemeengine.text.cleaning import speakable, spoken_part
 from phonemeengine.text.espeak import language_of
 from phonemeengine.text.lexicon import Lexicon
-from phonemeengine.text.notation import spoken_part
 from phonemeengine.text.pronunciation import ScriptWord, check_script, clause_reader
 
 ENGLISH = "en-us"

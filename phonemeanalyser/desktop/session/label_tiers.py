@@ -14,8 +14,8 @@ from phonemeanalyser.desktop.program_folder import outside_program
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.session.undo import UndoableEdit
 from phonemeengine.arrays import IndexArray
-from phonemeengine.calibration.scores.confusion import LabelError, error_spans, label_errors
 from phonemeengine.calibration.scores.corpus import FrameLabels, frame_labels_of
+from phonemeengine.calibration.scores.scoring import LabelError, error_spans, label_errors
 from phonemeengine.errors import CorpusError, EngineError, UnknownPhonemeError
 from phonemeengine.inspection.whole_sound import FrameState, SoundTracks
 from phonemeengine.labels.files import known_labels, phoneme_tier_of
@@ -287,7 +287,7 @@ class LabelTiers(QObject):
         return self._errors[1]
 
     def error_spans(self, tracks: SoundTracks) -> IndexArray:
-        """Return the frames of the same errors, as `phonemeengine.calibration.scores.confusion.error_spans` does."""
+        """Return the frames of the same errors, as `phonemeengine.calibration.scores.scoring.error_spans` does."""
         said = self.said_frames()
         if said is None:
             return np.zeros((0, 2), np.intp)

@@ -12,15 +12,13 @@ from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.devices import Device, InputChoice, inputs_of
 from phonemeengine.audio.journal import InterruptedRecording, interrupted_recordings
 from phonemeengine.audio.level import Level
-from phonemeengine.audio.stream import devices
+from phonemeengine.audio.stream import Device, InputChoice, devices, inputs_of
 from phonemeengine.errors import EngineError
 from phonemeengine.live.listener import NOT_LISTENING, Latency, Listener
 from phonemeengine.live.loopback import Loopback, measure_loopback
-from phonemeengine.live.recorded_sound import RecordedSound
-from phonemeengine.live.recorder import Recorder, SampleCapture
+from phonemeengine.live.recorder import RecordedSound, Recorder, SampleCapture
 from phonemeengine.presets.preset import Preset
 from phonemeengine.storage.paths import journal_folder, new_recording_path, recordings_folder
 

@@ -11,7 +11,7 @@ from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.analyser import BLOCK, analyse_blocks
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.source import Reader
+from phonemeengine.audio.output import Reader
 from phonemeengine.execution import Progress, report_progress
 from phonemeengine.labels.files import write_labels
 from phonemeengine.presets.model_choice import for_files, model_in_words

@@ -5,12 +5,9 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.session.microphone import DeviceList
-from phonemeengine.audio.devices import Device, outputs_of
-from phonemeengine.audio.output import Output, open_output
-from phonemeengine.audio.slowed_output import SLOWEST
-from phonemeengine.audio.source import Reader
-from phonemeengine.audio.stream import devices
-from phonemeengine.audio.tone.settings import Tone
+from phonemeengine.audio.output import SLOWEST, Output, Reader, open_output
+from phonemeengine.audio.stream import Device, devices, outputs_of
+from phonemeengine.audio.tone import Tone
 from phonemeengine.live.player import Player
 from phonemeengine.presets.preset import Preset
 

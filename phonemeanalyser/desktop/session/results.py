@@ -15,7 +15,7 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import EngineError
 from phonemeengine.execution import Progress
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.recognition import Trace
+from phonemeengine.recognition.scores import Trace
 from phonemeengine.settings import FRAME_PERIOD, Channel
 
 AGAIN = 1000

@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.session.label_tiers import LabelTiers
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.seen_sound import SeenSound
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
-from phonemeengine.calibration.fits.rule_trials import RuleTrials, with_rule
+from phonemeengine.calibration.fits.limit_search import RuleTrials, with_rule
 from phonemeengine.calibration.scores.scoring import Agreement
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import EngineError
@@ -22,8 +22,7 @@ from phonemeengine.inspection.whole_sound import FrameState
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.presets.rule_text import rules_of, with_own_rules
-from phonemeengine.recognition.rule_checks import RuleFault, rule_faults
-from phonemeengine.recognition.rules import Condition, Rule, limit_of
+from phonemeengine.recognition.rules import Condition, Rule, RuleFault, limit_of, rule_faults
 from phonemeengine.recognition.spec import Tuning, spec_of
 
 CHECK_MS = 250

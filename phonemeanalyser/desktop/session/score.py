@@ -13,9 +13,8 @@ from phonemeanalyser.desktop.session.seen_sound import SeenSound
 from phonemeanalyser.desktop.session.time_view import Scope
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.arrays import UInt8Array
-from phonemeengine.calibration.scores.confusion import Confusion, confusion_between
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.calibration.scores.scoring import Agreement
+from phonemeengine.calibration.scores.scoring import Agreement, Confusion, confusion_between
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.inspection.whole_sound import FrameRange, SoundTracks
 from phonemeengine.phonemes import Phoneme

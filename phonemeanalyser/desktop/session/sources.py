@@ -12,8 +12,8 @@ from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.playback import Playback
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.audio.source import Reader
-from phonemeengine.audio.tone.reader import ToneReader
+from phonemeengine.audio.output import Reader
+from phonemeengine.audio.tone import ToneReader
 from phonemeengine.live.player import Player
 from phonemeengine.presets.model_choice import for_live_use, while_played
 from phonemeengine.presets.preset import Preset

@@ -5,7 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from phonemeanalyser.desktop.analyse.transport.transport import SPEEDS, next_speed
-from phonemeengine.audio.devices import Device
+from phonemeengine.audio.stream import Device
 from tests.desktop.hands import LEFT, shown
 
 PHONES = Device("Phones", "ALSA", 0, 2, 48_000, is_default=False)

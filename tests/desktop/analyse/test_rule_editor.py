@@ -16,8 +16,7 @@ from phonemeanalyser.desktop.session.rules import RuleTrial
 from phonemeengine.labels.files import write_labels
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import THESIS_PRESET, load_preset, save_preset
-from phonemeengine.recognition.rule_checks import RuleFault
-from phonemeengine.recognition.rules import RULES, Condition, Rule
+from phonemeengine.recognition.rules import RULES, Condition, Rule, RuleFault
 from tests.desktop.hands import CARDS, LEFT, press, shown
 from tests.labelled import recording
 

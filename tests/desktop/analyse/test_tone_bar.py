@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.analyse.transport.tone_bar import OF_KIND, SLIDER_STEPS, ToneBar
 from phonemeanalyser.desktop.theme import DARK
-from phonemeengine.audio.tone.settings import VOWEL_FORMANTS, Formant, Tone, ToneKind
+from phonemeengine.audio.tone import VOWEL_FORMANTS, Formant, Tone, ToneKind
 from tests.desktop.hands import type_number
 
 Shown = Callable[[Tone], ToneBar]

@@ -3,7 +3,7 @@
 from phonemeanalyser.colours import LIGHT
 from phonemeanalyser.desktop.analyse.recognition.phoneme_view import N_ROWS, PhonemeView, rows_of
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.recognition import RuleComparison, Trace
+from phonemeengine.recognition.scores import RuleComparison, Trace
 from tests.conftest import ROOT
 
 DEMO = ROOT / "phonemeanalyser" / "demo" / "demo.flac"

@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt
 
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.window import MainWindow
-from phonemeengine.audio.tone.settings import VOWEL_FORMANTS, ToneKind
+from phonemeengine.audio.tone import VOWEL_FORMANTS, ToneKind
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH
 from tests.desktop.hands import CARDS, TimeEyes, click, drag, press, shown, type_number

@@ -11,10 +11,9 @@ from PySide6.QtCore import Qt
 
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.calibrate.guide.guide_model import QUIET, SOUNDS, Phase
-from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
-from phonemeengine.calibration.held_out import loss_of
+from phonemeengine.calibration.calibrate import CalibrationResult, calibrate, loss_of
+from phonemeengine.calibration.scores.comparison import Gain, Gains
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, read_recordings
-from phonemeengine.calibration.scores.gains import Gain, Gains
 from phonemeengine.calibration.sentences import LANGUAGES, SENTENCES
 from phonemeengine.calibration.takes.spoken import onset_in
 from phonemeengine.phonemes import Phoneme

@@ -10,9 +10,8 @@ import soundfile
 
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.calibrate.guide.guide_model import QUIET, SOUNDS
-from phonemeengine.calibration.calibrate import calibrate
+from phonemeengine.calibration.calibrate import MOST_LOSS, calibrate, loss_of
 from phonemeengine.calibration.fits.templates import adapt_to_takes
-from phonemeengine.calibration.held_out import MOST_LOSS, loss_of
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import predict
 from phonemeengine.calibration.scores.scoring import Scores, scores_of

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from phonemeengine.audio.devices import Device, InputChoice
+from phonemeengine.audio.stream import Device, InputChoice
 from phonemeengine.settings import HOP
 from tests.desktop.studio import DESK, HEADSET, Studio
 from tests.fakes.microphones import HandDrivenMicrophone, offline

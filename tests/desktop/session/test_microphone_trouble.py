@@ -6,7 +6,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from phonemeengine.audio.devices import InputChoice
+from phonemeengine.audio.stream import InputChoice
 from phonemeengine.live.loopback import Loopback
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.desktop.studio import DESK, Studio

@@ -11,7 +11,7 @@ from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import Variable
 from phonemeengine.presets.files import THESIS_PRESET, load_preset, save_preset
-from phonemeengine.presets.judgement import Judgement
+from phonemeengine.presets.preset import Judgement
 from phonemeengine.recognition.phoneme_data import PhonemeData
 from phonemeengine.settings import BIN_WIDTH, STAGES, Filter
 

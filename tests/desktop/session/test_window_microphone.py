@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QComboBox
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.widgets.level_meter import words_of
-from phonemeengine.audio.devices import Device
+from phonemeengine.audio.stream import Device
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, HOP
 from tests.desktop.hands import CARDS, DEMO, ON_BIN, FileAnswers, TimeEyes, click, drag, press, settle

@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.page import PhonemeChip
 from phonemeanalyser.desktop.theme import DARK
-from phonemeengine.audio.tone.settings import Tone, ToneKind
+from phonemeengine.audio.tone import Tone, ToneKind
 from phonemeengine.phonemes import Phoneme
 from tests.desktop.sessions import settled
 from tests.desktop.stage import Stage

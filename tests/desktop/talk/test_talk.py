@@ -10,7 +10,7 @@ from pytestqt.qtbot import QtBot
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeengine.analyser import Analysis
-from phonemeengine.audio.tone.settings import Tone, ToneKind
+from phonemeengine.audio.tone import Tone, ToneKind
 from phonemeengine.labels.utterance import LabelUnit, Phone, Syllable, Utterance, Word
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.morpher import Detail

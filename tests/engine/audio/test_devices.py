@@ -7,8 +7,15 @@ from pathlib import Path
 
 import pytest
 
-from phonemeengine.audio.devices import Device, InputChoice, chosen_input, inputs_of
-from phonemeengine.audio.stream import CardStream, devices, openable_devices
+from phonemeengine.audio.stream import (
+    CardStream,
+    Device,
+    InputChoice,
+    chosen_input,
+    devices,
+    inputs_of,
+    openable_devices,
+)
 from phonemeengine.errors import DeviceError, SettingsError
 from tests.fakes.portaudio import FakePortAudio
 

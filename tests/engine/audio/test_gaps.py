@@ -206,7 +206,7 @@ def test_silence_longer_than_may_wait_for_the_disk_takes_the_place_of_a_gap(tmp_
 
 
 def test_the_takes_of_a_calibration_have_no_room_for_marks(tmp_path: Path) -> None:
-    from phonemeengine.audio.recording_file import write_flac
+    from phonemeengine.audio.recording import write_flac
 
     write_flac(tmp_path / "take.flac", samples_of_16_bits(0, 441)[:, 0], SAMPLE_RATE)
     assert (tmp_path / "take.flac").stat().st_size < ROOM

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from phonemeengine.audio import stream
-from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.input import CardInput
+from phonemeengine.audio.stream import InputChoice
 from phonemeengine.errors import DeviceError
 from tests.fakes.portaudio import FakePortAudio, FakeStream, PortAudioError
 from tests.waiting import Clock

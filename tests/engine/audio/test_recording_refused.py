@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from phonemeengine.audio.recording_file import describe_os_error
+from phonemeengine.audio.recording import describe_os_error
 from phonemeengine.errors import AudioError, RecordingError
 from tests.fakes.recorders import begun
 

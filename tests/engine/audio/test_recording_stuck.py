@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from phonemeengine.audio.recording import Recording
-from phonemeengine.audio.recording_file import RecordingFile
+from phonemeengine.audio.recording import Recording, RecordingFile
 from phonemeengine.audio.wav import HEADER
 from tests.fakes.recorders import check_kept, check_sentence, samples_of_16_bits
 from tests.waiting import wait_for

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from phonemeengine import SettingsError
-from phonemeengine.audio.slowed_output import SlowedOutput
+from phonemeengine.audio.output import SlowedOutput
 from phonemeengine.settings import SAMPLE_RATE
 from tests.fakes.outputs import HandDrivenOutput
 

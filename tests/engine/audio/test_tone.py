@@ -12,9 +12,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from phonemeengine.analyser import analyse_blocks
-from phonemeengine.audio.tone.reader import FADE, ToneReader
-from phonemeengine.audio.tone.settings import VOWEL_FORMANTS, Formant, Tone, ToneKind, vowel_of
-from phonemeengine.audio.tone.waveforms import NOISE_SAMPLES
+from phonemeengine.audio.tone import (
+    FADE,
+    NOISE_SAMPLES,
+    VOWEL_FORMANTS,
+    Formant,
+    Tone,
+    ToneKind,
+    ToneReader,
+    vowel_of,
+)
 from phonemeengine.errors import SettingsError
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE, AnalysisSettings

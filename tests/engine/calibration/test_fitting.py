@@ -7,8 +7,7 @@ import pytest
 
 from phonemeengine.calibration.fits.fitting import cross_validate, fit_preset, groups_of
 from phonemeengine.calibration.fits.limit_search import LimitSearch
-from phonemeengine.calibration.scores.confusion import Confusion
-from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, confusion_of, macro_f1_of
+from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, Confusion, confusion_of, macro_f1_of
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Cancelled

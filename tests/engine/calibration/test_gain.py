@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from phonemeengine.calibration.scores.gains import MOST_PARTS, gains_of
+from phonemeengine.calibration.scores.comparison import MOST_PARTS, gains_of
 from phonemeengine.phonemes import Phoneme
 
 CODES = {

@@ -9,12 +9,11 @@ import soundfile
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from phonemeengine.calibration.scores.confusion import ConfusedSegment
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import predict, score
-from phonemeengine.calibration.scores.scoring import confusion_of
+from phonemeengine.calibration.scores.scoring import ConfusedSegment, confusion_of
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
-from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.dsp.mel import N_BANDS
 from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.execution import Cancelled
 from phonemeengine.features.variables import Variable

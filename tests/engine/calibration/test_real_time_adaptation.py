@@ -10,10 +10,10 @@ import pytest
 
 from phonemeengine.calibration.adaptation import adapt_live_head
 from phonemeengine.calibration.calibrate import calibrate
+from phonemeengine.calibration.fine_tuning import example_of, sound_of, whisper_mels_of
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
 from phonemeengine.calibration.scores.evaluation import predict
 from phonemeengine.calibration.scores.scoring import scores_of
-from phonemeengine.calibration.training_examples import example_of, sound_of, whisper_mels_of
 from phonemeengine.encoder.head import softmax
 from phonemeengine.encoder.live import EncoderMix, LiveEncoder, LiveHead, build_live_encoder, open_live_encoder
 from phonemeengine.labels.label import Label

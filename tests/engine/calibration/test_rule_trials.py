@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from phonemeengine.calibration.fits.rule_trials import RuleTrials, with_rule, with_rule_off
+from phonemeengine.calibration.fits.limit_search import RuleTrials, with_rule, with_rule_off
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset

@@ -21,8 +21,8 @@ from phonemeengine.labels.label import Label
 from phonemeengine.labels.visemes import NO_VISEME
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
-from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.rules import ThesisRules
+from phonemeengine.recognition.scores import Recognition
 from phonemeengine.recognition.spec import BUILT_IN, RecogniserConfig, RecogniserSpec
 from phonemeengine.settings import SAMPLE_RATE
 from tests.corpora import put, write_corpus

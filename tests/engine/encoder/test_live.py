@@ -20,7 +20,7 @@ from phonemeengine.encoder.live import (
     open_live_encoder,
     save_live_encoder,
 )
-from phonemeengine.encoder.mel import LEAST_PEAK, SILENT, RunningScale
+from phonemeengine.encoder.whisper import LEAST_PEAK, SILENT, RunningScale
 from phonemeengine.errors import ModelError
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from tests.fakes.encoder_weights import encoder_weights, reference_logits

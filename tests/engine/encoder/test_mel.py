@@ -5,8 +5,7 @@ import pytest
 
 from phonemeengine.audio.resampling import resample_whole
 from phonemeengine.dsp.framing import Framer
-from phonemeengine.encoder.mel import whisper_log_mels
-from phonemeengine.encoder.whisper import ENCODER_RATE, log_mel_spectrogram
+from phonemeengine.encoder.whisper import ENCODER_RATE, log_mel_spectrogram, whisper_log_mels
 from phonemeengine.settings import SAMPLE_RATE
 
 

@@ -10,7 +10,7 @@ import soundfile
 from phonemeengine.analyser import Analyser, analyse_blocks, analyse_range
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import PresetError, SettingsError
-from phonemeengine.features.pitch_sets import LEAST_VOICED, PitchSetChooser
+from phonemeengine.features.front_end import LEAST_VOICED, PitchSetChooser
 from phonemeengine.inspection.whole_sound import RetunedSound, analyse_whole, tracks_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.document import preset_from_toml, preset_to_toml

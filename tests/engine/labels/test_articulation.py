@@ -2,8 +2,14 @@
 
 import pytest
 
-from phonemeengine.labels.articulation import ARTICULATIONS, IPA_LETTERS, articulations_of, letters_of
-from phonemeengine.labels.phone_sets import IPA, phone_classes_in
+from phonemeengine.labels.phone_sets import (
+    ARTICULATIONS,
+    IPA,
+    IPA_LETTERS,
+    articulations_of,
+    letters_of,
+    phone_classes_in,
+)
 from phonemeengine.phonemes import VOWELS
 
 

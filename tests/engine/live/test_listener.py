@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from phonemeengine.analyser import latest_reading
-from phonemeengine.audio.devices import InputChoice
+from phonemeengine.audio.stream import InputChoice
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE

@@ -5,8 +5,7 @@ import threading
 import numpy as np
 import pytest
 
-from phonemeengine.audio.devices import InputChoice
-from phonemeengine.audio.stream import STALLED
+from phonemeengine.audio.stream import STALLED, InputChoice
 from phonemeengine.live.listener import Status
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.fakes.microphones import REFUSAL, HandDrivenMicrophone, Hear, frames_in, offline

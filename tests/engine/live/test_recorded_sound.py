@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from phonemeengine import SoundReader
-from phonemeengine.live import recorded_sound
-from phonemeengine.live.recorded_sound import RecordedSound
+from phonemeengine.live.recorder import MOST_WAITING, RecordedSound
 from phonemeengine.settings import SAMPLE_RATE
 from tests.disks import refused
 from tests.sounds import noise
@@ -65,6 +64,6 @@ def test_a_full_disk_is_said_and_nobody_waits() -> None:
 def test_memory_stays_as_it_is_when_the_disk_is_stuck() -> None:
     recorded = RecordedSound()
     recorded.close()  # takes no more frames
-    for _ in range(recorded_sound.MOST_WAITING + 100):
+    for _ in range(MOST_WAITING + 100):
         recorded.add_samples(np.zeros((10, 1), np.float32), SAMPLE_RATE)
-    assert recorded._orders.qsize() == recorded_sound.MOST_WAITING
+    assert recorded._orders.qsize() == MOST_WAITING

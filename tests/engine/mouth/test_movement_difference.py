@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from phonemeengine.errors import MouthError
-from phonemeengine.mouth.animation import Animation
-from phonemeengine.mouth.movement_difference import (
+from phonemeengine.mouth.animation import (
+    Animation,
     DifferentPlace,
     ShapeDifference,
     difference_in_words,

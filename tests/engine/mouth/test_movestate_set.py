@@ -5,9 +5,8 @@ import numpy as np
 import pytest
 
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.combinations import combinations_of
 from phonemeengine.mouth.mesh import mesh_of
-from phonemeengine.mouth.movestate import Mode, Movestate, MovestateSet, movestate_at, movestate_of
+from phonemeengine.mouth.movestate import Mode, Movestate, MovestateSet, combinations_of, movestate_at, movestate_of
 from tests.meshes import CORNERS, cube, moved_by
 
 UP, RIGHT, BACK = (0, 1, 0), (1, 0, 0), (0, 0, -1)

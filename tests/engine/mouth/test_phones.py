@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from phonemeengine.errors import ExportError, MouthError
-from phonemeengine.labels.articulation import IPA_LETTERS
-from phonemeengine.labels.phone_sets import phone_classes_in
+from phonemeengine.labels.phone_sets import IPA_LETTERS, phone_classes_in
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.labels.visemes import VISEME_PHONES, Viseme
 from phonemeengine.mouth.animation import animation_of

@@ -8,8 +8,7 @@ from hypothesis import strategies as st
 
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.files.io import load_morph_targets, save_morph_targets
-from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
-from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
+from phonemeengine.mouth.files.threedm import format_3dm, format_3dma, parse_3dm, parse_3dma
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphTargets, morph_targets_of
 from phonemeengine.mouth.movestate import movestate_at

@@ -8,7 +8,7 @@ import pytest
 from phonemeengine import PerformanceError
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.table import table_of, table_to_toml
-from phonemeengine.performance.components import component_table, principal_components, reduce_table, rms_between
+from phonemeengine.performance.face_learning import component_table, principal_components, reduce_table, rms_between
 from phonemeengine.performance.recording import Performance
 from phonemeengine.performance.table_file import PerformanceTable, write_table
 from tests.engine.mouth.speaking import speech

@@ -10,7 +10,7 @@ from phonemeengine.errors import PerformanceError
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.performer import MOUTH_ALONE, Performer
 from phonemeengine.performance.corpus import build_table
-from phonemeengine.performance.original import RecordedFace, original_sound
+from phonemeengine.performance.own_sound import RecordedFace, original_sound
 from phonemeengine.performance.recording import HEAD
 from phonemeengine.performance.table_file import PerformanceTable, write_table
 from phonemeengine.performance.track import face_table

@@ -6,7 +6,7 @@ import pytest
 
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.poses import FORMAT, USUAL_POSES, Pose, load_poses, poses_of
-from phonemeengine.performance.poses import pose_shares, posed_weights
+from phonemeengine.performance.driver import pose_shares, posed_weights
 from phonemeengine.performance.recording import SILENCE, PerformedPhone
 from phonemeengine.performance.units import Sentence
 

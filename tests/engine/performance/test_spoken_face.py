@@ -12,9 +12,8 @@ from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformanceOptions
 from phonemeengine.performance.recording import HEAD
-from phonemeengine.performance.spoken_face import SpokenFace
 from phonemeengine.performance.table_file import PerformanceTable, write_table
-from phonemeengine.performance.track import PerformanceTrack
+from phonemeengine.performance.track import PerformanceTrack, SpokenFace
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.spoken_text import spoken_text
 from phonemeengine.speech.voice import SpokenSentence

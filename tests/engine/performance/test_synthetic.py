@@ -6,8 +6,7 @@ import pytest
 
 from phonemeengine import Cancelled, PerformanceError, PerformanceTable, TextError, build_table, make_corpus
 from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.performance.making import sentences
-from phonemeengine.performance.synthetic import RATE, perform
+from phonemeengine.performance.making import RATE, perform, sentences
 from phonemeengine.text.pronunciation import words_of
 from tests.engine.performance.corpora import saying
 from tests.engine.performance.sentences import phones_in

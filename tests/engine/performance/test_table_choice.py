@@ -1,7 +1,7 @@
 import pytest
 
 from phonemeengine import PerformanceError
-from phonemeengine.performance.table_choice import chosen_table
+from phonemeengine.performance.choice import chosen_table
 from phonemeengine.performance.table_file import TableAbout
 
 TABLES = [

@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.labels.articulation import ARTICULATIONS, IPA_LETTERS
+from phonemeengine.labels.phone_sets import ARTICULATIONS, IPA_LETTERS
 from phonemeengine.mouth.blendshape_names import TONGUE
 from phonemeengine.mouth.poses import USUAL_TONGUE, load_poses
 from phonemeengine.performance.driver import tongue_weights

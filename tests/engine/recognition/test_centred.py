@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from phonemeengine.analyser import Analyser, Analysis
-from phonemeengine.dsp.log_mel import N_BANDS, silent_log_mels
+from phonemeengine.dsp.mel import N_BANDS, silent_log_mels
 from phonemeengine.errors import ModelError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset

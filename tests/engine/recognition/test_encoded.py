@@ -5,10 +5,15 @@ import pytest
 
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.encoded import ENCODER_SHARE, OVERLAP, STRETCH, WEAKENED, EncodedRecogniser
-from phonemeengine.recognition.learned import LearnedRecogniser
-from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.scores import Sensitivity
+from phonemeengine.recognition.learned import (
+    ENCODER_SHARE,
+    OVERLAP,
+    STRETCH,
+    WEAKENED,
+    EncodedRecogniser,
+    LearnedRecogniser,
+)
+from phonemeengine.recognition.scores import Recognition, Sensitivity
 from phonemeengine.settings import HOP
 from tests.models import centred_model
 

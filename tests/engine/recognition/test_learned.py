@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from phonemeengine.analyser import Analyser, Analysis, concatenate_analyses
-from phonemeengine.dsp.log_mel import N_BANDS, log_mels, warped_mel_bank
+from phonemeengine.dsp.mel import N_BANDS, log_mels, warped_mel_bank
 from phonemeengine.encoder.live import LiveHead
 from phonemeengine.errors import ModelError, PresetError
 from phonemeengine.features.variables import SCORES

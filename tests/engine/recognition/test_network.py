@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.dsp.mel import N_BANDS
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.recognition.network import FEW, Network, vectors_pay
 

@@ -17,7 +17,7 @@ from phonemeengine.encoder.live import (
     open_live_encoder,
     save_live_encoder,
 )
-from phonemeengine.encoder.mel import SILENT, RunningScale, whisper_log_mels
+from phonemeengine.encoder.whisper import SILENT, RunningScale, whisper_log_mels
 from phonemeengine.errors import PresetError
 from phonemeengine.labels.visemes import VisemeSet
 from phonemeengine.phonemes import Phoneme

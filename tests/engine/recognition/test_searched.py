@@ -11,8 +11,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.model_choice import for_files, for_live_use
 from phonemeengine.recognition.decoder import ScoreSearch, SoundsDecoder, evidence_in
-from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.scores import SCORES, ScoredRecogniser
+from phonemeengine.recognition.scores import SCORES, Recognition, ScoredRecogniser
 from phonemeengine.recognition.searched import SEARCH_LAG, SearchedRecogniser
 from phonemeengine.settings import SAMPLE_RATE, WINDOW, ModelKind
 from tests.corpora import speech

@@ -38,7 +38,7 @@ A, S, SZ = Phoneme.A, Phoneme.SILENCE, Phoneme.SZ
 SOUND = np.concatenate((silence(0.2), vowel((750, 1250, 2500), 0.3), noise(0.3, 0.1), silence(0.2)))
 SAID = (S, A, SZ, A, S, SZ, A, S)
 SCORING = """
-from phonemeengine.recognition.recognition import Recognition
+from phonemeengine.recognition.scores import Recognition
 from phonemeengine.recognition.spec import RecogniserSpec, Tuning
 
 class Scoring(Plain):

@@ -10,7 +10,7 @@ import soundfile
 from phonemeengine.analyser import Analyser
 from phonemeengine.calibration.fits.templates import log_mels_by_phoneme, templates_from, templates_of
 from phonemeengine.calibration.scores.corpus import Label, LabelledUtterance
-from phonemeengine.dsp.log_mel import N_BANDS, N_CEPSTRA, cepstra_of
+from phonemeengine.dsp.mel import N_BANDS, N_CEPSTRA, cepstra_of
 from phonemeengine.errors import CorpusError, EngineError, PresetError, SettingsError
 from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme

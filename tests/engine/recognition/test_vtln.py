@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from phonemeengine.analyser import analyse_blocks
-from phonemeengine.dsp.log_mel import N_BANDS, log_mels, mel_powers, warped_mel_bank
+from phonemeengine.dsp.mel import N_BANDS, log_mels, mel_powers, warped_mel_bank
 from phonemeengine.errors import ModelError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset

@@ -2,7 +2,7 @@
 
 import pytest
 
-from phonemeengine.text.language_guess import guess_language
+from phonemeengine.text.script import guess_language
 
 
 @pytest.mark.parametrize(

@@ -3,8 +3,7 @@
 import pytest
 
 from phonemeengine import words_of
-from phonemeengine.text.cleaning import speakable
-from phonemeengine.text.notation import spoken_part
+from phonemeengine.text.cleaning import speakable, spoken_part
 
 SPOKEN = {
     "*very* **never** ***so*** _how_ un*believ*able": "very never so how unbelievable",

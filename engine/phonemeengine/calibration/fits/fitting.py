@@ -18,9 +18,8 @@ from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import BoolArray, UInt8Array
 from phonemeengine.calibration.fits.limit_search import LimitSearch
 from phonemeengine.calibration.fits.threshold_search import ThresholdSearch
-from phonemeengine.calibration.scores.confusion import Confusion, confusion_between
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.calibration.scores.scoring import Scores
+from phonemeengine.calibration.scores.scoring import Confusion, Scores, confusion_between
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.dsp.pitch import HIGHEST, LOWEST
 from phonemeengine.errors import CorpusError, RecogniserError

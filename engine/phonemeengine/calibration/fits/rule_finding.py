@@ -15,9 +15,8 @@ import numpy as np
 from phonemeengine.arrays import Float64Array, IndexArray
 from phonemeengine.calibration.fits.fitting import MOST_FOLDS, FitReport, left_out_of
 from phonemeengine.calibration.fits.rule_search import RuleSearch
-from phonemeengine.calibration.scores.confusion import confusion_between
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance
-from phonemeengine.calibration.scores.scoring import Scores
+from phonemeengine.calibration.scores.scoring import Scores, confusion_between
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.dsp.mel import frequency_of, mel_of
 from phonemeengine.errors import CorpusError

@@ -15,7 +15,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.scores.corpus import Label, LabelledUtterance
 from phonemeengine.dsp.framing import Framer
-from phonemeengine.dsp.log_mel import cepstra_of, log_mels
+from phonemeengine.dsp.mel import cepstra_of, log_mels
 from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Progress, report_progress
 from phonemeengine.labels.label import CORE

@@ -15,7 +15,7 @@ import numpy as np
 
 from phonemeengine.arrays import BoolArray, UInt8Array
 from phonemeengine.audio.files import SoundReader, is_sound, once_each
-from phonemeengine.calibration.takes.take_list import LIST
+from phonemeengine.calibration.takes.take import LIST
 from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.execution import Progress, no_progress, report_progress
 from phonemeengine.labels.files import LABEL_SUFFIXES, names_in, read_labels, read_raw_labels

@@ -16,7 +16,7 @@ from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.dsp.framing import Framer
-from phonemeengine.dsp.log_mel import log_mels
+from phonemeengine.dsp.mel import log_mels
 from phonemeengine.errors import TakeError
 from phonemeengine.features.front_end import FrontEnd, concatenate
 from phonemeengine.features.measure import Features

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array
-from phonemeengine.audio.recording_file import write_flac
+from phonemeengine.audio.recording import write_flac
 from phonemeengine.calibration.alignment import SPOKEN, aligned
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.sentences import Sentence

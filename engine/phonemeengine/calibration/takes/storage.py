@@ -15,10 +15,13 @@ from typing import Any, NamedTuple
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.locking import lock_at
-from phonemeengine.audio.recording_file import write_flac
-from phonemeengine.calibration.takes.take import DELETED, TAKES, Take, folder_for
-from phonemeengine.calibration.takes.take_list import (
+from phonemeengine.audio.recording import write_flac
+from phonemeengine.calibration.takes.take import (
+    DELETED,
     SOUND_SUFFIX,
+    TAKES,
+    Take,
+    folder_for,
     read_take_list,
     write_manifest,
     write_take_labels,

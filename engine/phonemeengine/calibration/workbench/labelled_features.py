@@ -19,8 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array, IndexArray, UInt8Array
-from phonemeengine.calibration.scores.confusion import Confusion, confusion_between
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, frame_labels_of
+from phonemeengine.calibration.scores.scoring import Confusion, confusion_between
 from phonemeengine.calibration.workbench.retuner import (
     Measurement,
     Retuner,

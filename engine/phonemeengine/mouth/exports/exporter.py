@@ -13,7 +13,7 @@ from phonemeengine.mouth.cues import MINIMUM, Cue, cues_of
 from phonemeengine.mouth.exports.export import NEARLY, Export
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.expression.composer import with_stream
-from phonemeengine.mouth.expression.text_feeling import text_expression, timed_feelings
+from phonemeengine.mouth.expression.felt import text_expression, timed_feelings
 from phonemeengine.mouth.key_layer import NO_KEYS, KeyLayer
 from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.style import Style, neutral_style

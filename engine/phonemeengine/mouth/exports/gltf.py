@@ -16,7 +16,6 @@ from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import ExportError, MeshError
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.blendshape_names import BONE
-from phonemeengine.mouth.combinations import combinations_of, combined
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.glb import LARGEST_JSON, Glb, read_face, shipped_glb
 from phonemeengine.mouth.files.gltf_document import Document, chunks_of, document_of
@@ -24,6 +23,7 @@ from phonemeengine.mouth.files.gltf_writing import GENERATOR
 from phonemeengine.mouth.files.skin import bone_angles
 from phonemeengine.mouth.files.vrm import expressions_of, faces_back
 from phonemeengine.mouth.head import USUAL_HEAD
+from phonemeengine.mouth.movestate import combinations_of, combined
 
 FLOAT = 5126
 """glTF's code for float32."""

@@ -8,9 +8,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
-from phonemeengine.mouth.action_units import units_shown
 from phonemeengine.mouth.blendshape_names import ARKIT, OPENFACE_POSE, STRONGEST_UNIT
 from phonemeengine.mouth.exports.export import Export, number_lines
+from phonemeengine.mouth.face_mapping import units_shown
 from phonemeengine.storage.files import begins_like
 
 START = "frame,timestamp,confidence,success,"

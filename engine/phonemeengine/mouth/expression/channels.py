@@ -9,8 +9,8 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
-from phonemeengine.mouth.action_units import shapes_moved_by
 from phonemeengine.mouth.blendshape_names import ARKIT, both_sides
+from phonemeengine.mouth.face_mapping import shapes_moved_by
 from phonemeengine.storage.strict_table import load_text, parse_toml, shown
 
 FORMAT = "phonemeanalyser expression channels 1"

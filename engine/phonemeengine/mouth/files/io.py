@@ -10,8 +10,7 @@ from phonemeengine.errors import MeshError
 from phonemeengine.mouth.files.gltf import parse_gltf, parse_vrm
 from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.files.obj import parse_obj
-from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
-from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
+from phonemeengine.mouth.files.threedm import format_3dm, format_3dma, parse_3dm, parse_3dma
 from phonemeengine.mouth.files.x_file import parse_x
 from phonemeengine.mouth.head import USUAL_HEAD, Head, load_head
 from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, bust_of, matched, morph_targets_of

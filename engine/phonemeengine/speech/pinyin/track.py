@@ -10,12 +10,11 @@ from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import MovementTrack
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.mouth.transcript import Transcript
-from phonemeengine.speech.pinyin.driver import PinyinMouth
 from phonemeengine.speech.pinyin.script import script_of
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
-from phonemeengine.speech.pinyin.timing import USUAL_RATE, Plan, has_pinyin, plan_of
+from phonemeengine.speech.pinyin.timing import USUAL_RATE, PinyinMouth, Plan, has_pinyin, plan_of
 from phonemeengine.speech.silent import SilentSpeech, SilentText
-from phonemeengine.text.notation import spoken_part
+from phonemeengine.text.cleaning import spoken_part
 
 LANGUAGE = "cmn"
 

@@ -19,7 +19,7 @@ from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.analyser import latest_reading
 from phonemeengine.features.variables import readable_name
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.recognition import RuleComparison, Trace
+from phonemeengine.recognition.scores import RuleComparison, Trace
 from phonemeengine.settings import FRAME_PERIOD
 
 ROW = 15

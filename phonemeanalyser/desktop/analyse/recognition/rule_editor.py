@@ -12,7 +12,7 @@ from phonemeanalyser.desktop.session.rules import RuleModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import choice, column, label, leave_wheel, row, tab_buttons, tool_button
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.recognition import Trace
+from phonemeengine.recognition.scores import Trace
 
 EXTENDED = "rules"
 """The recogniser that one may begin with who has no rules."""

@@ -18,9 +18,8 @@ from phonemeanalyser.desktop.widgets.distribution import shortest
 from phonemeengine.arrays import LARGEST_FLOAT32
 from phonemeengine.features.variables import readable_name
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.recognition import RuleComparison, Trace
-from phonemeengine.recognition.rule_checks import RuleFault
-from phonemeengine.recognition.rules import DEFAULT_RULE, Condition, Rule, rule_labels
+from phonemeengine.recognition.rules import DEFAULT_RULE, Condition, Rule, RuleFault, rule_labels
+from phonemeengine.recognition.scores import RuleComparison, Trace
 
 HEADINGS = (tr_noop("Rule"), "", tr_noop("Limit"), tr_noop("Now"))
 NAME, SIGN, LIMIT, NOW = range(4)

@@ -12,7 +12,7 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import choice, label, named, row, silent
 from phonemeanalyser.desktop.widgets.fields import NumberField
-from phonemeengine.audio.tone.settings import FORMANT_LIMITS, TONE_LIMITS, VOWEL_FORMANTS, Tone, ToneKind, vowel_of
+from phonemeengine.audio.tone import FORMANT_LIMITS, TONE_LIMITS, VOWEL_FORMANTS, Tone, ToneKind, vowel_of
 
 
 @dataclass(frozen=True)

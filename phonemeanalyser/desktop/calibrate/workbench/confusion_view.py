@@ -17,8 +17,7 @@ from phonemeanalyser.desktop.widgets.lanes import Lane, lane_of_frames, names_in
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeanalyser.desktop.widgets.timeline import Chapter, Timeline, TimelineView
 from phonemeengine.arrays import Int64Array
-from phonemeengine.calibration.scores.confusion import Confusion
-from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
+from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, Confusion
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 

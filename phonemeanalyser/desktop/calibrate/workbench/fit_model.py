@@ -14,9 +14,9 @@ from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.calibration.fits.fitting import FitReport, fit_preset
 from phonemeengine.calibration.fits.rule_finding import rules_from
 from phonemeengine.calibration.scores.comparison import PresetComparison, compare
-from phonemeengine.calibration.scores.confusion import Confusion
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import CorpusScores, Predictions, group_scores_of
+from phonemeengine.calibration.scores.scoring import Confusion
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.execution import Progress, subrange
 from phonemeengine.presets.preset import Preset

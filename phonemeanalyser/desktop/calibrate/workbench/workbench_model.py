@@ -13,8 +13,8 @@ from phonemeanalyser.desktop.session.courses import ThresholdLines
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.calibration.fits.suggestions import Suggestion, suggested_variables
-from phonemeengine.calibration.scores.confusion import ConfusedSegment, Confusion
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, read_recordings
+from phonemeengine.calibration.scores.scoring import ConfusedSegment, Confusion
 from phonemeengine.calibration.workbench.distributions import (
     Distribution,
     RankedVariable,

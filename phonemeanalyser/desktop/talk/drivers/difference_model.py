@@ -14,10 +14,10 @@ from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET
 from phonemeanalyser.desktop.talk.drivers.movement import RecordedSpeech, heard_in, movement_of, recording_of
 from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
-from phonemeengine.audio.source import Reader
+from phonemeengine.audio.output import Reader
 from phonemeengine.conversion.driving import DriverChoice
+from phonemeengine.mouth.animation import DifferentPlace, MovementDifference, movement_difference
 from phonemeengine.mouth.exports.exporter import ExportOptions
-from phonemeengine.mouth.movement_difference import DifferentPlace, MovementDifference, movement_difference
 from phonemeengine.mouth.performer import MouthTrack
 from phonemeengine.mouth.transcript import Transcript
 

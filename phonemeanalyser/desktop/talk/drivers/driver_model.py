@@ -20,7 +20,7 @@ from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.face_driver import NEEDS_FILE, FaceDriver, usual_driver
 from phonemeengine.mouth.performer import MouthTrack
 from phonemeengine.performance import face_network
-from phonemeengine.performance.spoken_face import SpokenFace
+from phonemeengine.performance.track import SpokenFace
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
 from phonemeengine.speech.pinyin.table import load_pinyin_table
 from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track

@@ -10,7 +10,7 @@ import numpy as np
 
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.source import Reader
+from phonemeengine.audio.output import Reader
 from phonemeengine.batch.work import say_nothing
 from phonemeengine.conversion.driving import DriverChoice
 from phonemeengine.features.front_end import F0

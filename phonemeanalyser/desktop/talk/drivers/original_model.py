@@ -15,7 +15,7 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError
 from phonemeengine.live.player import Player
 from phonemeengine.performance.driver import UsedUnit
-from phonemeengine.performance.original import RecordedFace, original_sound
+from phonemeengine.performance.own_sound import RecordedFace, original_sound
 from phonemeengine.performance.table_file import PerformanceTable
 from phonemeengine.presets.model_choice import while_played
 from phonemeengine.storage.files import printable

@@ -21,14 +21,12 @@ from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.style import Style, neutral_style
 from phonemeengine.mouth.transcript import Prosody, Transcript, transcript_of_utterance
-from phonemeengine.performance.choice import ExampleChoice
+from phonemeengine.performance.choice import ExampleChoice, chosen_table
 from phonemeengine.performance.driver import FACE, PerformanceDriver, PerformanceOptions, UsedUnit
 from phonemeengine.performance.own_sound import OwnSound
-from phonemeengine.performance.spoken_face import SpokenFace
 from phonemeengine.performance.style_fit import FittedStyle, fit_style
-from phonemeengine.performance.table_choice import chosen_table
 from phonemeengine.performance.table_file import PerformanceTable, TableAbout
-from phonemeengine.performance.track import PerformanceTrack, PerformedMouth
+from phonemeengine.performance.track import PerformanceTrack, PerformedMouth, SpokenFace
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, Channel
 

@@ -14,9 +14,8 @@ from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array
 from phonemeengine.features.feeling import FeelingEstimator
 from phonemeengine.mouth.expression.composer import Expression
-from phonemeengine.mouth.expression.felt import FeelingAmounts
+from phonemeengine.mouth.expression.felt import FeelingAmounts, TimedFeeling, text_expression
 from phonemeengine.mouth.expression.streams import ExpressionStream, expression_presets, held_expression
-from phonemeengine.mouth.expression.text_feeling import TimedFeeling, text_expression
 from phonemeengine.mouth.osc import OscAddress, OscExpression
 from phonemeengine.mouth.performer import Performer
 from phonemeengine.performance.face_csv import read_expression

@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeanalyser.desktop.talk.words.written_text import places_of
 from phonemeengine.errors import TextError
 from phonemeengine.labels.utterance import Utterance
-from phonemeengine.mouth.expression.text_feeling import TimedFeeling, timed_feelings
+from phonemeengine.mouth.expression.felt import TimedFeeling, timed_feelings
 from phonemeengine.text.feelings import passages_of
 
 _BRACKET = re.compile(r"\[[^\[\]\n]*\] ?")

@@ -12,7 +12,7 @@ from PySide6.QtGui import QUndoStack
 from phonemeanalyser.desktop.session.undo import UndoableEdit
 from phonemeengine.batch.work import size_and_time
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
-from phonemeengine.performance.spoken_face import SpokenFace
+from phonemeengine.performance.track import SpokenFace
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.spooled import KEPT, SentenceTrack, SpooledSpeech
 from phonemeengine.speech.voice import SpokenSentence

@@ -34,7 +34,7 @@ from phonemeengine.execution import Progress
 from phonemeengine.labels.timed_words import TimedWord
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.transcript import NOTHING, Transcript, transcript_of_utterance
-from phonemeengine.performance.spoken_face import SpokenFace
+from phonemeengine.performance.track import SpokenFace
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.spooled import SpooledSpeech
 from phonemeengine.speech.voice import SpokenSentence

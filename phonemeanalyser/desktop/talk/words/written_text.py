@@ -11,8 +11,8 @@ from PySide6.QtCore import QObject, Signal
 from phonemeanalyser.desktop.language import tr_noop
 from phonemeanalyser.desktop.program_folder import in_program
 from phonemeengine.labels.utterance import Utterance
-from phonemeengine.text.language_guess import guess_language
 from phonemeengine.text.pronunciation import MARKS
+from phonemeengine.text.script import guess_language
 
 MOST_SOUNDS, MOST_LANGUAGES = 50, 5
 """Sounds whose texts are remembered, and languages that are offered first, because they were chosen last."""

@@ -13,11 +13,10 @@ from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.performer import MOUTH_ALONE, Performer
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.speech.pinyin.driver import AFTERWARDS, PinyinMouth
 from phonemeengine.speech.pinyin.script import WrittenMark, WrittenSyllable
 from phonemeengine.speech.pinyin.spring import LONGEST_JUMP, Spring
 from phonemeengine.speech.pinyin.table import PinyinTable
-from phonemeengine.speech.pinyin.timing import Plan, plan_of
+from phonemeengine.speech.pinyin.timing import AFTERWARDS, PinyinMouth, Plan, plan_of
 from tests.engine.speech.pinyin.saying import SAID, SCRIPT, TABLE, plan_at_rate
 
 ROWS = TABLE.weights()

@@ -12,8 +12,8 @@ from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.performer import MOUTH_ALONE, IdleMotion
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.speech.pinyin.driver import AFTERWARDS, PinyinMouth
 from phonemeengine.speech.pinyin.spring import Spring
+from phonemeengine.speech.pinyin.timing import AFTERWARDS, PinyinMouth
 from phonemeengine.speech.pinyin.track import pinyin_track
 from tests.engine.speech.pinyin.saying import SAID, TABLE, spoken
 

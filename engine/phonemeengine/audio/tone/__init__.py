@@ -1,1 +1,0 @@
-"""Test tones: settings, waveforms and the reader that plays them."""
