@@ -35,10 +35,9 @@ from phonemetraining.examples import (
     save_soft_labels,
     write_examples,
 )
-from phonemetraining.groups import Groups
 from phonemetraining.networks import TrainableEncoder
 from phonemetraining.realignment import Round
-from phonemetraining.teacher import encode_all, teach
+from phonemetraining.teacher import Groups, encode_all, teach
 from phonemetraining.training import device_of_choice, train_encoder, train_small
 from phonemetraining.validation import (
     Adapted,

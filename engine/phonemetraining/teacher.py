@@ -5,6 +5,7 @@ by heart. What the heads recognise also moves the boundaries in the labels of pe
 that learn from the moved labels tell whether that helps.
 """
 
+import tomllib
 from collections.abc import Callable, Collection, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
@@ -21,12 +22,12 @@ from phonemeengine.calibration.fine_tuning import N_SOFT_LABELS, certainties_of,
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
 from phonemeengine.encoder.head import CONTEXT, HALVES, EncoderHead
 from phonemeengine.encoder.whisper import MODEL_FILE, SpeechEncoder, WhisperEncoder
+from phonemeengine.errors import CorpusError
 from phonemeengine.execution import end_with_parent
 from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.storage.files import atomic_write
+from phonemeengine.storage.files import atomic_write, read_text_file
 from phonemetraining.examples import SoftLabels, key_of
-from phonemetraining.groups import folds_of
 from phonemetraining.networks import HeadNetwork
 from phonemetraining.processes import in_processes
 from phonemetraining.realignment import Round, realigned_by, round_of
@@ -324,3 +325,65 @@ class _HeadTraining:
             self._seed,
             lambda share: self._on_progress((n_done + share) / n_heads),
         )
+
+
+SHIPPED = Path(__file__).with_name("groups.toml")
+"""The groups of the speakers whom the shipped models were trained on."""
+LARGEST_FILE = 1 << 20
+_DEALT = 3
+"""Where no group is known, one of this many speakers is left out."""
+
+
+@dataclass(frozen=True)
+class Groups:
+    """Speakers who are left out of one of the two trainings.
+
+    Attributes
+    ----------
+    validation : those by whom settings are chosen.
+    reserved : those who are recognised once, when nothing is chosen any more.
+    """
+
+    validation: frozenset[str] = frozenset()
+    reserved: frozenset[str] = frozenset()
+
+    @property
+    def everybody(self) -> frozenset[str]:
+        """All who are left out."""
+        return self.validation | self.reserved
+
+    @classmethod
+    def of(cls, names: Collection[str], file: Path | None = None) -> "Groups":
+        """Return the groups that a file names, of these speakers.
+
+        Parameters
+        ----------
+        names : of all speakers, as corpus/speaker.
+        file : TOML with lists of names, ``validation`` and ``reserved``; None for the shipped one, and where that
+            names none of them a third of the speakers for the validation.
+
+        Raises
+        ------
+        CorpusError : the file cannot be read, or names none of them.
+        """
+        path = SHIPPED if file is None else file
+        try:
+            told = tomllib.loads(read_text_file(path, LARGEST_FILE, "groups of speakers", CorpusError))
+            validation, reserved = (frozenset(told.get(name, ())) & set(names) for name in ("validation", "reserved"))
+        except (tomllib.TOMLDecodeError, TypeError) as error:
+            raise CorpusError(
+                f"{path.name}: groups are two lists of names in TOML, validation and reserved ({error}); correct it"
+            ) from error
+        if validation:
+            return cls(validation, reserved - validation)
+        if file is not None:
+            raise CorpusError(
+                f"{path.name}: none of its validation speakers is in the folders; name them corpus/speaker"
+            )
+        return cls(frozenset(folds_of(list(names), _DEALT)[0]))
+
+
+def folds_of(names: Sequence[str], n_folds: int) -> list[set[str]]:
+    """Deal the speakers into groups, the kinds evenly: names that begin alike lie in different ones."""
+    ordered = sorted(names)
+    return [set(ordered[k::n_folds]) for k in range(n_folds)]

@@ -7,8 +7,7 @@ import sys
 import pytest
 
 from tests.conftest import ROOT
-from tools.bundle.icon import SIZE, write_icon
-from tools.bundle.making import pack
+from tools.bundle.making import SIZE, pack, write_icon
 
 START = ROOT / "tools" / "bundle" / "start.py"
 

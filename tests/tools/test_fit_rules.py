@@ -19,7 +19,7 @@ from phonemeengine.presets.preset import Preset
 from tests.corpora import put, speech, write_manifest
 from tools.fit import rules as fit_rules
 from tools.fit import templates as fit_templates
-from tools.fit.rule_features import voice_of
+from tools.fit.rules import voice_of
 
 TIMES = (0.0, 0.2, 0.5, 0.7, 1.0, 1.3, 1.5)
 SAID = (Phoneme.SILENCE, Phoneme.A, Phoneme.SZ, Phoneme.I, Phoneme.U, Phoneme.SILENCE)

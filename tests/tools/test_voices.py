@@ -8,13 +8,11 @@ import pytest
 
 from tools.voices.classes import CLASSES, VOWELS, Phone, table_of
 from tools.voices.english_phones import ENGLISH
-from tools.voices.indian_phones import INDIAN
-from tools.voices.japanese_phones import JAPANESE, LABIAL
+from tools.voices.indian import INDIAN
 from tools.voices.labels import Segment, labels_of, segments_from_ends
-from tools.voices.romance_phones import ESPERANTO, PORTUGUESE
-from tools.voices.slavic_phones import RUSSIAN, UKRAINIAN
+from tools.voices.openjtalk import JAPANESE, LABIAL
+from tools.voices.rhvoice import ESPERANTO, KYRGYZ, PORTUGUESE, RUSSIAN, UKRAINIAN
 from tools.voices.texts import is_plain
-from tools.voices.turkic_phones import KYRGYZ
 from tools.voices.writing import Speaker, Utterance, UtteranceWriter, read_manifest, replace_speaker
 
 SAMPLE_RATE = 44100

@@ -18,8 +18,8 @@ from tools.voices import drascula, gcin, nexuiz, queen, recordings, sky
 from tools.voices.aligner import aligned, best_track, sharpened
 from tools.voices.build import build
 from tools.voices.classes import PLAIN, table_of
+from tools.voices.gcin import MANDARIN, phones_of
 from tools.voices.labels import Segment
-from tools.voices.mandarin_phones import MANDARIN, phones_of
 from tools.voices.no_speech import ABOUT, LEVELS, Make, noise, recording_of, tones
 from tools.voices.packages import RECORDINGS, missing, unpack
 from tools.voices.rnc import unpacked

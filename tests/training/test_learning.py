@@ -30,9 +30,9 @@ from phonemeengine.settings import SAMPLE_RATE
 from phonemetraining.augmentation import Augmentation, augment
 from phonemetraining.config import TrainingConfig
 from phonemetraining.examples import Examples, RecordingExample, examples_of, key_of, store
-from phonemetraining.groups import Groups, folds_of
 from phonemetraining.networks import SmallNetwork, TrainableEncoder, with_running_floor
 from phonemetraining.spectra import SMALL_BANDS, WHISPER_BANDS, disturbed, warped
+from phonemetraining.teacher import Groups, folds_of
 from phonemetraining.training import SMOOTHING, cross_entropy, targets_of, train_encoder, train_small
 from tests.corpora import put
 from tests.models import tone_model

@@ -17,9 +17,9 @@ from phonemeengine.presets.files import load_preset
 from phonemeengine.recognition.confidence import UNFITTED
 from phonemeengine.settings import ModelKind
 from phonemetraining.config import TrainingConfig
-from phonemetraining.groups import Groups
 from phonemetraining.model_card import model_card
 from phonemetraining.pipeline import TrainingResult, Validation
+from phonemetraining.teacher import Groups
 from phonemetraining.validation import MOST_JUDGED, adapted_to_each, preset_of
 from tests.corpora import put
 from tests.fakes.encoder_weights import encoder_weights

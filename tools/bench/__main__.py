@@ -1,72 +1,18 @@
 """Measures how fast the machine is, then all figures or those that are named, and prints them as one table."""
 
 import argparse
-from collections.abc import Callable
+from pathlib import Path
+from pkgutil import resolve_name
 
-from tools.bench import (
-    alignment,
-    batch,
-    bundle,
-    card,
-    coarticulation,
-    dragging,
-    ear_builds,
-    ear_in_c,
-    head,
-    learned,
-    long_speech,
-    memory,
-    microphone,
-    mouth,
-    movestates,
-    one_frame,
-    opened_file,
-    performance,
-    performance_table,
-    playing,
-    real_time,
-    recording,
-    serving,
-    speed,
-    start,
-    talking,
-    voice,
-    wasm,
-    whole_file,
-)
+from tools.bench import speed, start
 from tools.bench.figures import Figure, table_of
 
-FIGURES: dict[str, Callable[[], list[Figure]]] = {
-    "whole-file": whole_file.figures,
-    "one-frame": one_frame.figures,
-    "playing": playing.figures,
-    "microphone": microphone.figures,
-    "recording": recording.figures,
-    "card": card.figures,
-    "start": start.figures,
-    "bundle": bundle.figures,
-    "memory": memory.figures,
-    "dragging": dragging.figures,
-    "opened-file": opened_file.figures,
-    "head": head.figures,
-    "talking": talking.figures,
-    "learned": learned.figures,
-    "real-time": real_time.figures,
-    "ear-in-c": ear_in_c.figures,
-    "ear-builds": ear_builds.figures,
-    "wasm": wasm.figures,
-    "serving": serving.figures,
-    "mouth": mouth.figures,
-    "coarticulation": coarticulation.figures,
-    "movestates": movestates.figures,
-    "voice": voice.figures,
-    "alignment": alignment.figures,
-    "long-speech": long_speech.figures,
-    "performance": performance.figures,
-    "performance-table": performance_table.figures,
-    "batch": batch.figures,
-    "very-long-file": batch.memory_figures,
-}
+FIGURES = {
+    path.stem.replace("_", "-"): f"tools.bench.{path.stem}:figures"
+    for path in sorted(Path(__file__).parent.glob("*.py"))
+    if "\ndef figures(" in path.read_text("utf-8")
+} | {"very-long-file": "tools.bench.batch:memory_figures"}
+"""What measures each."""
 
 
 def main() -> None:
@@ -82,7 +28,7 @@ def main() -> None:
     found: list[Figure] = []
     for name in options.names or FIGURES:
         print(f"measuring {name} ...", flush=True)
-        found += [figure.here(speed.slowness(here)) for figure in FIGURES[name]()]
+        found += [figure.here(speed.slowness(here)) for figure in resolve_name(FIGURES[name])()]
     print("", *table_of(found), sep="\n")
     if options.detail:
         print(

@@ -13,8 +13,6 @@ import venv
 import zipfile
 from pathlib import Path
 
-from tools.bundle.icon import write_icon
-
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 EXTRAS = "desktop,preview,server,speech"
@@ -127,3 +125,18 @@ def _answer(*command: str | Path) -> str:
 def _system() -> str:
     system = {"linux": "linux", "win32": "windows", "darwin": "macos"}[sys.platform]
     return f"{system}-{os.uname().machine if hasattr(os, 'uname') else 'x86_64'}"
+
+
+SIZE = 512
+
+
+def write_icon(out: Path) -> None:
+    """Write the icon as a PNG of `SIZE` x `SIZE` pixels."""
+    os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+    from PySide6.QtGui import QGuiApplication, QIcon
+
+    from phonemeanalyser.desktop.app import ICON
+
+    app = QGuiApplication.instance() or QGuiApplication([])
+    assert QIcon(str(ICON)).pixmap(SIZE, SIZE).save(str(out)), out
+    del app

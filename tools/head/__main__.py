@@ -13,14 +13,12 @@ import numpy as np
 from phonemeengine.mouth.mesh import normals_of
 from tools.head.clay import PARTS, Clay, Floats, Numbers, lower_edge, trimmed
 from tools.head.colours import painted
-from tools.head.eyes import sphere_of, with_brows, with_eyeball, with_short_lashes
+from tools.head.eyes import kept_off_eye, sphere_of, with_brows, with_eyeball, with_short_lashes
 from tools.head.hair import with_hair
-from tools.head.lids import kept_off_eye
-from tools.head.mouth import with_mouth, with_sealed_lips
+from tools.head.mouth import LOWER, UPPER, row_of_teeth, with_mouth, with_sealed_lips
 from tools.head.people import PEOPLE, Person
 from tools.head.shoulders import shoulders_below
 from tools.head.source import GROUPS, Source
-from tools.head.teeth import LOWER, UPPER, row_of_teeth
 
 OUT = Path(__file__).resolve().parents[2] / "engine" / "phonemeengine" / "mouth" / "heads"
 EYES = np.array((0.0, 0.52, 1.0), np.float32)

@@ -8,11 +8,47 @@ from pathlib import Path
 
 import soundfile
 
-from tools.voices.indian_phones import INDIAN
+from tools.voices.classes import AFFRICATE, AMBIGUOUS, CORE, DIPHTHONG, PLAIN, SCH, X, table_of
 from tools.voices.labels import Segment, segments_from_ends
 from tools.voices.texts import utterances
 from tools.voices.voice import Voice
 from tools.voices.writing import Speaker, Utterance
+
+INDIAN = table_of(
+    *PLAIN,
+    ("ʃ", SCH, CORE, "sh"),
+    ("ʒ", SCH, CORE, "zh"),
+    ("tʃ", SCH, AFFRICATE, "ch"),
+    ("dʒ", SCH, AFFRICATE, "j"),
+    ("kʃ", SCH, AFFRICATE, "ksh"),
+    ("ʃri", X, AMBIGUOUS, "sri"),
+    ("ɳ", X, CORE, "N"),
+    ("bʱ", "p", CORE, "bh"),
+    ("ə", "a", AMBIGUOUS, "a"),
+    ("aː", "a", CORE, "aa"),
+    ("aː", "a", AMBIGUOUS, "@"),
+    ("e", "e", CORE, "eh ee"),
+    ("ai", "a", DIPHTHONG, "ay"),
+    ("i", "i", CORE, "ih iy"),
+    ("o", "o", CORE, "oh oo"),
+    ("au", "a", DIPHTHONG, "aw"),
+    ("u", "u", CORE, "uh uw"),
+    ("ʊ", "u", AMBIGUOUS, "w"),
+    ("j", X, CORE, "y"),
+    ("ʋ", X, CORE, "v"),
+    ("f", X, CORE, "f"),
+    ("h", X, CORE, "h x"),
+    ("k", X, CORE, "kh"),
+    ("g", X, CORE, "gh"),
+    ("ʈ", X, CORE, "T td"),
+    ("ɖ", X, CORE, "D"),
+    ("t̪", X, CORE, "th tth"),
+    ("d̪", X, CORE, "dh ddh"),
+    ("l", X, CORE, "l"),
+    ("ɭ", X, CORE, "L"),
+    ("r", X, CORE, "r R"),
+)
+
 
 LANGUAGES = {"hi": "hindi", "mr": "marathi", "te": "telugu"}
 STRETCH = (1.0, 1.7)  # Duration_Stretch; the voices' own is 1.4

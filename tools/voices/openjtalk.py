@@ -1,4 +1,7 @@
-"""Speech of Mei, the Japanese voice that pyopenjtalk brings, with phone times read off a marker voice."""
+"""Speech of Mei, the Japanese voice that pyopenjtalk brings, with phone times read off a marker voice.
+
+Of its phones, capital vowels are devoiced, and cl is the closure of a long consonant.
+"""
 
 import random
 from collections.abc import Iterator
@@ -7,11 +10,51 @@ from pathlib import Path
 import numpy as np
 
 from tools.voices import marker
-from tools.voices.japanese_phones import JAPANESE, LABIAL
+from tools.voices.classes import AFFRICATE, AMBIGUOUS, CORE, PLAIN, SCH, SIL, SZ, X, table_of
 from tools.voices.labels import Segment
 from tools.voices.texts import utterances
 from tools.voices.voice import Voice
 from tools.voices.writing import Speaker, Utterance
+
+JAPANESE = table_of(
+    *PLAIN,
+    ("", SIL, CORE, "sil"),
+    ("z", SZ, CORE, "z"),
+    ("ts", SZ, AFFRICATE, "ts"),
+    ("ɕ", SCH, AMBIGUOUS, "sh"),
+    ("dʑ", SCH, AFFRICATE, "j"),
+    ("tɕ", SCH, AFFRICATE, "ch"),
+    ("m", "m", CORE, "my"),
+    ("n", X, CORE, "ny"),
+    ("ɴ", X, AMBIGUOUS, "N"),
+    ("p", "p", CORE, "py"),
+    ("b", "p", CORE, "by"),
+    ("a", "a", CORE, "a"),
+    ("e", "e", CORE, "e"),
+    ("i", "i", CORE, "i"),
+    ("o", "o", CORE, "o"),
+    ("ɯ", "u", CORE, "u"),
+    ("ḁ", "a", AMBIGUOUS, "A"),
+    ("e̥", "e", AMBIGUOUS, "E"),
+    ("i̥", "i", AMBIGUOUS, "I"),
+    ("o̥", "o", AMBIGUOUS, "O"),
+    ("ɯ̥", "u", AMBIGUOUS, "U"),
+    ("ʔ", X, CORE, "cl"),
+    ("j", X, CORE, "y"),
+    ("w", X, CORE, "w"),
+    ("ɾ", X, CORE, "r ry"),
+    ("h", X, CORE, "h hy"),
+    ("ɸ", X, CORE, "f"),
+    ("t", X, CORE, "t ty"),
+    ("d", X, CORE, "d dy"),
+    ("k", X, CORE, "ky kw"),
+    ("g", X, CORE, "gy gw"),
+    ("v", X, CORE, "v"),
+)
+# N before m, p and b is said as m: labelled so, but as ambiguous.
+JAPANESE |= table_of(("m", "m", AMBIGUOUS, "N_m"))
+LABIAL = frozenset({"m", "my", "p", "py", "b", "by"})
+
 
 SPEEDS = (0.75, 1.3)
 HALF_TONES = (-7.0, 2.0)  # her own pitch is above 300 Hz
