@@ -6,22 +6,22 @@ variables and rules, the recogniser's name and notes.
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, fields, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import tomli_w
 
 from phonemeengine.arrays import LARGEST_FLOAT32
-from phonemeengine.encoder.head import EncoderHead, load_head
-from phonemeengine.encoder.live import LiveEncoder, load_live_encoder
+from phonemeengine.encoder.head import load_head
+from phonemeengine.encoder.live import load_live_encoder
 from phonemeengine.errors import ModelError, PresetError, SettingsError
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset, judgement_of
 from phonemeengine.recognition.confidence import ConfidenceCurve
-from phonemeengine.recognition.model import Model, load_model
+from phonemeengine.recognition.model import load_model
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData, PitchSet
 from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.recognition.smoothing import SUCCESSORS
@@ -29,6 +29,8 @@ from phonemeengine.recognition.spec import THESIS
 from phonemeengine.recognition.templates import UNTEMPLATED, Templates
 from phonemeengine.settings import OLD_MODEL_KINDS, PARAMETERS, STAGES, AnalysisSettings, Filter, ModelKind
 from phonemeengine.storage.strict_table import StrictTable, parse_toml, shown
+
+T = TypeVar("T")
 
 FORMAT = "phonemeanalyser preset 2"
 _OLDER = {"phonemeanalyser preset 1": {"file_model": "offline_model", "file_ear": "file_model"}}
@@ -45,15 +47,7 @@ STATISTICS: dict[str, type] = {"statistics": bool, **_KINDS["statistics"]}
 INTENSITY = _KINDS["intensity"]
 _AHEAD = _KINDS["look_ahead"]
 _OPTIONAL = [name for name, parameter in PARAMETERS.items() if parameter.optional]
-_TEXTS: dict[str, type] = {
-    "name": str,
-    "recogniser": str,
-    "model": str,
-    "offline_model": str,
-    "encoder_head": str,
-    "live_encoder": str,
-    "notes": str,
-}
+_TEXTS = ("name", "recogniser", "model", "offline_model", "encoder_head", "live_encoder", "notes")
 _VARIABLE: dict[str, type] = {"name": str, "low": float, "high": float, "kind": Kind, "source": Spectrum, "per": str}
 _RULE: dict[str, type] = {"phoneme": Phoneme, "conditions": list, "enabled": bool}
 _PITCH_SET: dict[str, type] = {"name": str, "low": float, "high": float}
@@ -86,26 +80,26 @@ def preset_to_toml(preset: Preset, models: Mapping[str, str] | None = None) -> s
         "recogniser": preset.recogniser,
         **{name: getattr(settings, name) for name in _AHEAD},
         **(models or {}),
-        **({"live_model": preset.live_model} if preset.live_model is not ModelKind.ENCODER else {}),
-        **({"file_model": preset.file_model} if preset.file_model is not ModelKind.WHISPER else {}),
+        "live_model": None if preset.live_model is ModelKind.ENCODER else preset.live_model,
+        "file_model": None if preset.file_model is ModelKind.WHISPER else preset.file_model,
         "notes": preset.notes,
         "front_end": front_end,
         "phoneme_data": asdict(preset.phoneme_data),
         "statistics": {name: getattr(settings, name) for name in STATISTICS},
         "intensity": {name: getattr(settings, name) for name in INTENSITY},
         "successors": {p.label: q.label for p, q in preset.successors.items()},
-        **({"sensitivities": _table_of_sensitivities(preset)} if preset.sensitivities else {}),
-        **({"confusions": {p.label: list(row) for p, row in preset.confusions.items()}} if preset.confusions else {}),
-        **({"confidence": _table_of_curves(preset)} if preset.confidences else {}),
+        "sensitivities": {p.label: float(preset.sensitivities[p]) for p in Phoneme if p in preset.sensitivities}
+        or None,
+        "confusions": {p.label: list(row) for p, row in preset.confusions.items()} or None,
+        "confidence": {k: asdict(preset.confidences[k]) for k in ModelKind if k in preset.confidences} or None,
         "variables": [_document_of(variable) for variable in preset.variables],
         "rules": [_document_of_rule(rule) for rule in preset.rules],
-        **({"templates": _table_of_templates(preset.templates)} if preset.templates else {}),
-        **({"judged": preset.judged.table()} if preset.judged else {}),
-        **(
-            {"pitch_sets": [_table_of_set(pitch_set) for pitch_set in preset.pitch_sets]} if preset.pitch_sets else {}
-        ),
+        "templates": _table_of_templates(preset.templates) if preset.templates else None,
+        "judged": preset.judged.table() if preset.judged else None,
+        "pitch_sets": [_table_of_set(pitch_set) for pitch_set in preset.pitch_sets] or None,
     }
-    return tomli_w.dumps(_plain(document), multiline_strings=True)
+    present = {key: entry for key, entry in document.items() if entry is not None}
+    return tomli_w.dumps(_plain(present), multiline_strings=True)
 
 
 def preset_from_toml(text: str, folder: Path, shipped: Path | None = None) -> Preset:
@@ -130,15 +124,31 @@ def _preset_of(top: StrictTable, folder: Path, shipped: Path | None) -> Preset:
     top.check_keys(_TABLES, (*_TEXTS, "live_model", "file_model", *_AHEAD, *_OPTIONAL_TABLES))
     texts = {key: top.value(key, str) for key in _TEXTS if key in top}
     settings = _settings_of(top)
-    offline_model, lost = _offline_model_of(texts.get("offline_model", ""), folder)
-    encoder_head, lost_too = _encoder_head_of(texts.get("encoder_head", ""), folder)
-    live_encoder, lost_three = _live_encoder_of(texts.get("live_encoder", ""), folder, shipped)
+    lost: list[str] = []
+
+    def read(key: str, load: Callable[[Path], T], meanwhile: str) -> T | None:
+        try:
+            return load(_beside(texts[key], folder)) if texts.get(key) else None
+        except ModelError as error:
+            lost.append(f"{error}; until then {meanwhile}")
+            return None
+
+    offline_model = read("offline_model", load_model, "the real-time model recognises files")
+    if offline_model is not None and not offline_model.centred:
+        lost.append(f"{texts['offline_model']}: this is no offline model; the real-time model recognises files")
+        offline_model = None
+    encoder_head = read("encoder_head", load_head, "files are recognised without Whisper")
+    live_encoder = read(
+        "live_encoder",
+        lambda path: load_live_encoder(path if path.exists() or shipped is None else shipped / path.name),
+        "the small network recognises live sound",
+    )
     preset = Preset(
         name=texts.get("name", "untitled"),
         settings=settings,
         variables=tuple(Variable(**entry.read(_VARIABLE, ("per",))) for entry in top.tables("variables")),
         recogniser=texts.get("recogniser", THESIS.name),
-        model=_model_of(texts["model"], folder) if texts.get("model") else None,
+        model=load_model(_beside(texts["model"], folder)) if texts.get("model") else None,
         offline_model=offline_model,
         encoder_head=encoder_head,
         live_encoder=live_encoder,
@@ -153,7 +163,7 @@ def _preset_of(top: StrictTable, folder: Path, shipped: Path | None) -> Preset:
         confidences=_curves_of(top.table("confidence")),
         judged=judgement_of(top.table("judged")) if "judged" in top else None,
         notes=texts.get("notes", ""),
-        warnings=lost + lost_too + lost_three,
+        warnings=tuple(lost),
     )
     preset = preset.with_phoneme_data(PhonemeData(**top.table("phoneme_data").read(_PHONEME_DATA)))
     return replace(preset, settings=replace(preset.settings, filters=settings.filters))
@@ -170,10 +180,6 @@ def _document_of(variable: Variable) -> dict[str, Any]:
     return {key: value for key, value in asdict(variable).items() if value or key != "per"}
 
 
-def _model_of(name: str, folder: Path) -> Model:
-    return load_model(_beside(name, folder))
-
-
 def _beside(name: str, folder: Path) -> Path:
     if "/" in name or "\\" in name or name.startswith("."):
         raise PresetError(
@@ -181,40 +187,6 @@ def _beside(name: str, folder: Path) -> Path:
             "correct it"
         )
     return folder / name
-
-
-def _offline_model_of(name: str, folder: Path) -> tuple[Model | None, tuple[str, ...]]:
-    """Return the offline model, or None and why it is missing: the real-time model takes its place."""
-    if not name:
-        return None, ()
-    try:
-        model = _model_of(name, folder)
-    except ModelError as error:
-        return None, (f"{error}; until then the real-time model recognises files",)
-    if not model.centred:
-        return None, (f"{name}: this is no offline model; the real-time model recognises files",)
-    return model, ()
-
-
-def _encoder_head_of(name: str, folder: Path) -> tuple[EncoderHead | None, tuple[str, ...]]:
-    """Return the head on the encoder, or none and why."""
-    if not name:
-        return None, ()
-    try:
-        return load_head(_beside(name, folder)), ()
-    except ModelError as error:
-        return None, (f"{error}; until then files are recognised without Whisper",)
-
-
-def _live_encoder_of(name: str, folder: Path, shipped: Path | None) -> tuple[LiveEncoder | None, tuple[str, ...]]:
-    """Return the real-time model, or none and why."""
-    if not name:
-        return None, ()
-    beside = _beside(name, folder)
-    try:
-        return load_live_encoder(beside if beside.exists() or shipped is None else shipped / name), ()
-    except ModelError as error:
-        return None, (f"{error}; until then the small network recognises live sound",)
 
 
 def _document_of_rule(rule: Rule) -> dict[str, Any]:
@@ -242,20 +214,12 @@ def _condition_of(text: Any) -> Condition:
     return Condition(found[2], found[3], limit=limit, enabled=not found[1])
 
 
-def _table_of_sensitivities(preset: Preset) -> dict[str, float]:
-    return {p.label: float(preset.sensitivities[p]) for p in Phoneme if p in preset.sensitivities}
-
-
 def _sensitivities_of(table: StrictTable) -> dict[Phoneme, float]:
     return {phoneme: table.value(key, float) for phoneme, key in table.phonemes().items()}
 
 
 def _confusions_of(table: StrictTable) -> dict[Phoneme, tuple[float, ...]]:
     return {phoneme: table.numbers(key) for phoneme, key in table.phonemes().items()}
-
-
-def _table_of_curves(preset: Preset) -> dict[str, Any]:
-    return {kind: asdict(preset.confidences[kind]) for kind in ModelKind if kind in preset.confidences}
 
 
 def _curves_of(table: StrictTable) -> dict[ModelKind, ConfidenceCurve]:

@@ -244,7 +244,7 @@
             <translation>In [classes] fehlt {missing}; jedem Blendshape eine Klasse geben</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/presets/judgement.py" />
+            <location filename="../../../engine/phonemeengine/presets/preset.py" />
             <source>[judged] day is a date such as 2026-11-25, found {day}; correct it</source>
             <translation>[judged] day ist ein Datum wie 2026-11-25, gefunden: {day}; korrigieren</translation>
         </message>
@@ -304,7 +304,7 @@
             <translation>Eine .3dm-Datei beginnt mit 3dm01, diese nicht; andere Datei wählen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/files/threedma.py" />
+            <location filename="../../../engine/phonemeengine/mouth/files/threedm.py" />
             <source>a .3dma file begins with a line {title}, this does not; choose another file</source>
             <translation>Eine .3dma-Datei beginnt mit einer Zeile {title}, diese nicht; andere Datei wählen</translation>
         </message>
@@ -439,12 +439,12 @@
             <translation>Ein Ordner fasst höchstens {most_tables} Mundtabellen mit verschiedenen Namen, gefunden {paths}; einige weglassen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/tone/settings.py" />
+            <location filename="../../../engine/phonemeengine/audio/tone.py" />
             <source>a formant's bandwidth</source>
             <translation>die Bandbreite eines Formanten</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/tone/settings.py" />
+            <location filename="../../../engine/phonemeengine/audio/tone.py" />
             <source>a formant's frequency</source>
             <translation>die Frequenz eines Formanten</translation>
         </message>
@@ -734,7 +734,7 @@
             <translation>Ein dünn besetzter Accessor ändert {n} von {base} Einträgen; beschädigt, neu exportieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/tone/settings.py" />
+            <location filename="../../../engine/phonemeengine/audio/tone.py" />
             <source>a sweep must rise, got low {low} Hz and high {high} Hz; raise high or lower low</source>
             <translation>Ein Sweep muss steigen, gefunden {low} Hz bis {high} Hz; obere Frequenz erhöhen oder untere senken</translation>
         </message>
@@ -2329,12 +2329,12 @@
             <translation>Bestandteil</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/components.py" />
+            <location filename="../../../engine/phonemeengine/performance/face_learning.py" />
             <source>components are of blend shapes, and no channel of the recordings is one; name others</source>
             <translation>Komponenten sind die von Blendshapes, und kein Kanal der Aufnahmen ist einer; andere nennen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/components.py" />
+            <location filename="../../../engine/phonemeengine/performance/face_learning.py" />
             <source>components explain a share in 0..1 of what moves, got {share}; choose another</source>
             <translation>Komponenten erklären einen Anteil von 0..1 der Bewegung, gegeben ist {share}; einen anderen wählen</translation>
         </message>
@@ -3505,7 +3505,7 @@
             <translation>{what} anpassen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/devices.py" />
+            <location filename="../../../engine/phonemeengine/audio/stream.py" />
             <source>fits several</source>
             <translation>passt zu mehreren</translation>
         </message>
@@ -4360,7 +4360,7 @@
             <translation>wird nie erreicht: eine frühere Regel gilt überall, wo diese gilt</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/devices.py" />
+            <location filename="../../../engine/phonemeengine/audio/stream.py" />
             <source>is not connected</source>
             <translation>ist nicht angeschlossen</translation>
         </message>
@@ -4380,7 +4380,7 @@
             <translation>angegeben sind {claimed} Byte, vorhanden {length}</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/files/threedma.py" />
+            <location filename="../../../engine/phonemeengine/mouth/files/threedm.py" />
             <source>it ends after line {number}; it is cut off, export or copy it again</source>
             <translation>Sie endet nach Zeile {number}; abgeschnitten, neu exportieren oder kopieren</translation>
         </message>
@@ -5110,12 +5110,12 @@
             <translation>Zeile {number} enthält {line}, keine Zahl eines Meshs; korrigieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/files/threedma.py" />
+            <location filename="../../../engine/phonemeengine/mouth/files/threedm.py" />
             <source>line {number} is beyond the end; remove what follows</source>
             <translation>Zeile {number} liegt hinter dem Ende; den Rest entfernen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/files/threedma.py" />
+            <location filename="../../../engine/phonemeengine/mouth/files/threedm.py" />
             <source>line {number} is longer than {longest_line} bytes; this is no .3dma file</source>
             <translation>Zeile {number} ist länger als {longest_line} Byte; keine .3dma-Datei</translation>
         </message>
@@ -5125,17 +5125,17 @@
             <translation>Zeile {number} ist länger als {longest_line} Byte; keine .obj-Datei</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/files/threedma.py" />
+            <location filename="../../../engine/phonemeengine/mouth/files/threedm.py" />
             <source>line {number} must begin with '{caption}:', found {found}; correct it</source>
             <translation>Zeile {number} muss mit '{caption}:' beginnen, gefunden {found}; korrigieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/files/threedma.py" />
+            <location filename="../../../engine/phonemeengine/mouth/files/threedm.py" />
             <source>line {number}: '{caption}' is said to be {word}, and there is space for {room}; correct it</source>
             <translation>Zeile {number}: '{caption}' ist mit {word} angegeben, Platz ist für {room}; korrigieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/files/threedma.py" />
+            <location filename="../../../engine/phonemeengine/mouth/files/threedm.py" />
             <source>line {number}: '{caption}' must be a whole number, found {word}; correct it</source>
             <translation>Zeile {number}: '{caption}' muss eine ganze Zahl sein, gefunden {word}; korrigieren</translation>
         </message>
@@ -5150,17 +5150,17 @@
             <translation>linear</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/files/threedma.py" />
+            <location filename="../../../engine/phonemeengine/mouth/files/threedm.py" />
             <source>lines {begin}..{number} hold a number that is not finite; correct it</source>
             <translation>Die Zeilen {begin}..{number} enthalten eine Zahl, die nicht endlich ist; korrigieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/files/threedma.py" />
+            <location filename="../../../engine/phonemeengine/mouth/files/threedm.py" />
             <source>lines {begin}..{number} must begin with vertex numbers; correct them</source>
             <translation>Die Zeilen {begin}..{number} müssen mit Eckpunktnummern beginnen; korrigieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/files/threedma.py" />
+            <location filename="../../../engine/phonemeengine/mouth/files/threedm.py" />
             <source>lines {begin}..{number} must each be a vertex number and three coordinates; correct them</source>
             <translation>Die Zeilen {begin}..{number} müssen je eine Eckpunktnummer und drei Koordinaten enthalten; korrigieren</translation>
         </message>
@@ -6320,7 +6320,7 @@
             <translation>Keine Beschriftungen.</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/devices.py" />
+            <location filename="../../../engine/phonemeengine/audio/stream.py" />
             <source>no microphone was found; connect one, or check that the audio system is running</source>
             <translation>kein Mikrofon gefunden; eines anschließen oder prüfen, ob das Audiosystem läuft</translation>
         </message>
@@ -6760,7 +6760,7 @@
             <translation>Ein Schritt; mit Umschalt ein Zehntel</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/table_choice.py" />
+            <location filename="../../../engine/phonemeengine/performance/choice.py" />
             <source>one table moves a face, and there are {names}; name one of them with --use, or a person with --person and the language of the text with --language</source>
             <translation>Eine Tabelle bewegt ein Gesicht, und es gibt {names}; eine davon mit --use nennen, oder eine Person mit --person und die Sprache des Textes mit --language</translation>
         </message>
@@ -9140,7 +9140,7 @@
             <translation>Nur Ton (Netz)</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/slowed_output.py" />
+            <location filename="../../../engine/phonemeengine/audio/output.py" />
             <source>sound cannot be slowed, since the package audiotsm is missing; pip install audiotsm</source>
             <translation>langsamere Wiedergabe nicht möglich, da das Paket audiotsm fehlt; installieren mit pip install audiotsm</translation>
         </message>
@@ -9790,7 +9790,7 @@
             <translation>die Obergrenze</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/devices.py" />
+            <location filename="../../../engine/phonemeengine/audio/stream.py" />
             <source>the channel</source>
             <translation>der Kanal</translation>
         </message>
@@ -9935,7 +9935,7 @@
             <translation>Der Verlauf ist leer, da das Mikrofon noch nicht benutzt wurde. Mit der Leertaste zuhören, dann noch einmal versuchen.</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/live/recorded_sound.py" />
+            <location filename="../../../engine/phonemeengine/live/recorder.py" />
             <source>The history is not kept any more ({reason}); free some space on the disk.</source>
             <translation>Der Verlauf wird nicht mehr gespeichert ({reason}); Platz auf dem Laufwerk schaffen.</translation>
         </message>
@@ -9995,7 +9995,7 @@
             <translation>Die letzte Spalte ist kreuzvalidiert: Je eine Einheit ({left_out}) wird zurückgehalten und gemessen.</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/devices.py" />
+            <location filename="../../../engine/phonemeengine/audio/stream.py" />
             <source>the latency</source>
             <translation>die Latenz</translation>
         </message>
@@ -10050,7 +10050,7 @@
             <translation>Das Mikrofon ist zurück: {status}. {seconds:.1f} s Signal gingen verloren.</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/devices.py" />
+            <location filename="../../../engine/phonemeengine/audio/stream.py" />
             <source>the microphone {label} {fault}; choose one of: {known}</source>
             <translation>Das Mikrofon {label} {fault}; eins wählen: {known}</translation>
         </message>
@@ -10155,7 +10155,7 @@
             <translation>Das neue Preset ist noch nicht gespeichert.</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/tone/settings.py" />
+            <location filename="../../../engine/phonemeengine/audio/tone.py" />
             <source>the number of formants</source>
             <translation>die Zahl der Formanten</translation>
         </message>
@@ -10420,7 +10420,7 @@
             <translation>dasselbe als npm-Paket, ohne die Seite</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/devices.py" />
+            <location filename="../../../engine/phonemeengine/audio/resampling.py" />
             <source>the sample rate</source>
             <translation>die Abtastrate</translation>
         </message>
@@ -10485,7 +10485,7 @@
             <translation>Der Sprach-Encoder benötigt onnxruntime, das nicht installiert ist; phonemeanalyser[encoder] installieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/slowed_output.py" />
+            <location filename="../../../engine/phonemeengine/audio/output.py" />
             <source>the speed</source>
             <translation>das Tempo</translation>
         </message>
@@ -10810,7 +10810,7 @@
             <translation>Diese Datei gibt es nicht; Name und Ordner prüfen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/table_choice.py" />
+            <location filename="../../../engine/phonemeengine/performance/choice.py" />
             <source>there is no such table {use}, but {names}; choose another one with --use</source>
             <translation>Es gibt keine Tabelle {use}, aber {names}; mit --use eine andere wählen</translation>
         </message>
@@ -10820,12 +10820,12 @@
             <translation>Keine Pinyin-Silbe im Gesprochenen; andere Steuerung wählen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/table_choice.py" />
+            <location filename="../../../engine/phonemeengine/performance/choice.py" />
             <source>there is no table of {asked}, as none says who speaks in it; leave --person out</source>
             <translation>Es gibt keine Tabelle von {asked}, da in keiner steht, wer darin spricht; --person weglassen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/table_choice.py" />
+            <location filename="../../../engine/phonemeengine/performance/choice.py" />
             <source>there is no table of {asked}, but of {persons}; choose another one with --person</source>
             <translation>Es gibt keine Tabelle von {asked}, aber von {persons}; mit --person eine andere wählen</translation>
         </message>
@@ -11210,7 +11210,7 @@
             <translation>zwei Buchstaben aus [shapes]</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/movement_difference.py" />
+            <location filename="../../../engine/phonemeengine/mouth/animation.py" />
             <source>two movements can be compared if both have frames, the same frame rate and movestates in common; make both with the same options</source>
             <translation>zwei Bewegungen lassen sich vergleichen, wenn beide Frames, dieselbe Bildrate und gemeinsame Movestates haben; beide mit denselben Optionen erzeugen</translation>
         </message>
@@ -11220,7 +11220,7 @@
             <translation>Zwei Blendshapes heißen {twice}; einen umbenennen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/presets/judgement.py" />
+            <location filename="../../../engine/phonemeengine/presets/preset.py" />
             <source>two shares 0..1, before and after</source>
             <translation>zwei Anteile 0..1, vorher und nachher</translation>
         </message>
@@ -12675,7 +12675,7 @@
             <translation>{name}: Ein Netz bewegt ein Gesicht nach dem Ton, und hier gibt es keinen; von einer Stimme sprechen lassen oder ein anderes --text-driver wählen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/calibration/takes/take_list.py" />
+            <location filename="../../../engine/phonemeengine/calibration/takes/take.py" />
             <source>{name}: a newer version of the program wrote this project (version {version} of its list, known is {version_2}); open it with that</source>
             <translation>{name}: Dieses Projekt stammt von einer neueren Programmversion (Version {version} der Liste, bekannt ist {version_2}); mit dieser öffnen</translation>
         </message>
@@ -12710,7 +12710,7 @@
             <translation>{name}: Lässt sich nur vom Anfang an lesen; {advice}, als WAV</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/recording_file.py" />
+            <location filename="../../../engine/phonemeengine/audio/recording.py" />
             <source>{name}: it cannot be made in {folder} ({error}); choose another folder or name</source>
             <translation>{name}: Lässt sich in {folder} nicht anlegen ({error}); anderen Ordner oder Namen wählen</translation>
         </message>
@@ -12935,7 +12935,7 @@
             <translation>{name}: Es sind keine Abtastwerte darin; noch einmal aufnehmen oder exportieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/recording_file.py" />
+            <location filename="../../../engine/phonemeengine/audio/recording.py" />
             <source>{name}: there is a file of that name, which a recording does not overwrite; choose another name</source>
             <translation>{name}: Eine Datei dieses Namens gibt es schon, eine Aufnahme überschreibt sie nicht; einen anderen Namen wählen</translation>
         </message>
@@ -12945,7 +12945,7 @@
             <translation>{name}: Es gibt keinen Kanal {name_2}; {words}</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/recording_file.py" />
+            <location filename="../../../engine/phonemeengine/audio/recording.py" />
             <source>{name}: there is no folder {folder}; make it or choose another</source>
             <translation>{name}: Den Ordner {folder} gibt es nicht; anlegen oder einen anderen wählen</translation>
         </message>
@@ -12995,17 +12995,17 @@
             <translation>{name}: Kein Wort mit Zeitangabe gefunden; nötig ist ein TextGrid mit einer Spur namens words oder JSON von Whisper, WhisperX, ElevenLabs oder Azure mit Wortzeiten</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/calibration/takes/take_list.py" />
+            <location filename="../../../engine/phonemeengine/calibration/takes/take.py" />
             <source>{name}: this folder is a corpus that was not made of takes; choose an empty folder for it</source>
             <translation>{name}: Dieser Ordner ist ein Korpus, der nicht aus Takes besteht; leeren Ordner wählen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/file_access.py" />
+            <location filename="../../../engine/phonemeengine/audio/libsndfile.py" />
             <source>{name}: this is a device, not an audio file; choose a file</source>
             <translation>{name}: Das ist ein Gerät, keine Audiodatei; eine Datei wählen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/recording_file.py" />
+            <location filename="../../../engine/phonemeengine/audio/recording.py" />
             <source>{name}: this is a folder; choose a name for a new file</source>
             <translation>{name}: Dies ist ein Ordner; einen Namen für eine neue Datei wählen</translation>
         </message>
@@ -13055,7 +13055,7 @@
             <translation>{name}: Dieses Programm lässt sich nicht starten ({error}); Befehl prüfen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/recording_file.py" />
+            <location filename="../../../engine/phonemeengine/audio/recording.py" />
             <source>{name}: this sound cannot be written as FLAC ({error}); record it again</source>
             <translation>{name}: Diese Aufnahme lässt sich nicht als FLAC schreiben ({error}); neu aufnehmen</translation>
         </message>
@@ -13085,7 +13085,7 @@
             <translation>{name}: Würde größer als {largest} MB; einige Blendshapes weglassen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/recording_file.py" />
+            <location filename="../../../engine/phonemeengine/audio/recording.py" />
             <source>{name}: writing to {folder} is not permitted; change its permissions or choose another folder</source>
             <translation>{name}: Schreiben in {folder} ist nicht erlaubt; Rechte ändern oder einen anderen Ordner wählen</translation>
         </message>
@@ -13095,7 +13095,7 @@
             <translation>{name}: {certainty}. Wird nicht mit dem erkannten Phonem verglichen und gilt nie als Fehler.</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/file_access.py" />
+            <location filename="../../../engine/phonemeengine/audio/files.py" />
             <source>{name}: {error}</source>
             <translation>{name}: {error}</translation>
         </message>
@@ -13130,7 +13130,7 @@
             <translation>{name}: {what}, daher lässt sich nichts aufnehmen; {advice}</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/audio/recording_file.py" />
+            <location filename="../../../engine/phonemeengine/audio/recording.py" />
             <source>{name}: {what}, so the sound is not kept; {advice}</source>
             <translation>{name}: {what}, daher bleibt die Aufnahme nicht erhalten; {advice}</translation>
         </message>
@@ -13230,7 +13230,7 @@
             <translation>{n} Beschriftungen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/files/threedma.py" />
+            <location filename="../../../engine/phonemeengine/mouth/files/threedm.py" />
             <source>{n} lines of a vertex number and a vector must follow line {begin}; correct it</source>
             <translation>Auf Zeile {begin} müssen {n} Zeilen mit Eckpunktnummer und Vektor folgen; korrigieren</translation>
         </message>
