@@ -16,9 +16,8 @@ from phonemeengine import PerformanceTable, Progress, TextError, Voice, build_ta
 from phonemeengine.errors import ModelError
 from phonemeengine.mouth.style import save_style
 from phonemeengine.mouth.table import table_to_toml
-from phonemeengine.performance import components
+from phonemeengine.performance import face_learning
 from phonemeengine.performance.corpus import BuiltTable
-from phonemeengine.performance.face_learning import LearnedFace, learn_face
 from phonemeengine.performance.face_network import owns, save_face_network
 from phonemeengine.performance.making import sentences
 from phonemeengine.performance.style_fit import fit_style
@@ -133,9 +132,9 @@ def _add_pca(kinds: Kinds) -> None:
     parser.add_argument(
         "--explained",
         type=number_in(1, 100, "percent"),
-        default=100 * components.USUAL_SHARE,
+        default=100 * face_learning.USUAL_SHARE,
         metavar="P",
-        help=f"percent of the variance that the components explain (default: {100 * components.USUAL_SHARE:g})",
+        help=f"percent of the variance that the components explain (default: {100 * face_learning.USUAL_SHARE:g})",
     )
     parser.add_argument(
         "--rig",
@@ -215,7 +214,7 @@ def _learn(options: argparse.Namespace) -> Iterator[str]:
     if preset.model is None:
         raise ModelError(f"{preset.name}: this preset has no network to learn on; choose {DEFAULT_PRESET.stem}")
     with _progress(options.folder) as progress:
-        learned = learn_face(options.folder, preset.model, name=options.name, progress=progress)
+        learned = face_learning.learn_face(options.folder, preset.model, name=options.name, progress=progress)
     _say_notes(options.folder, learned)
     save_face_network(learned.network, options.out, overwrite=options.overwrite)
     about = learned.network.about
@@ -226,7 +225,7 @@ def _learn(options: argparse.Namespace) -> Iterator[str]:
     )
 
 
-def _say_notes(folder: Path, found: BuiltTable | LearnedFace) -> None:
+def _say_notes(folder: Path, found: BuiltTable | face_learning.LearnedFace) -> None:
     for sentence in found.left_out:
         say_note(printable_name(folder), f"a recording is left out: {sentence}")
     for note in found.notes:
@@ -249,13 +248,15 @@ def _pca(options: argparse.Namespace) -> Iterator[str]:
     guard.check(options.out)
     guard.check(options.rig)
     with PerformanceTable.open(options.table) as table:
-        basis = components.principal_components((found for _, found in table.recordings()), options.explained / 100)
-        about = components.reduce_table(table, options.out, basis)
+        basis = face_learning.principal_components(
+            (found for _, found in table.recordings()), options.explained / 100
+        )
+        about = face_learning.reduce_table(table, options.out, basis)
         with PerformanceTable.open(options.out) as small:
             pairs = zip(table.recordings(), small.recordings(), strict=True)
-            error = components.rms_between((before, after) for (_, before), (_, after) in pairs)
+            error = face_learning.rms_between((before, after) for (_, before), (_, after) in pairs)
         if options.rig is not None:
-            text = table_to_toml(components.component_table(basis, options.rig.stem))
+            text = table_to_toml(face_learning.component_table(basis, options.rig.stem))
             write_guarded(options.rig, [text.encode()], guard)
     yield _summary(options.out, about)
     n, n_shapes = basis.components.shape

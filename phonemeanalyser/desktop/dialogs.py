@@ -9,7 +9,7 @@ from PySide6.QtCore import QFileSystemWatcher, QObject, QSettings, Signal
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
-from phonemeanalyser.desktop.analyse.recognition.variable_dialog import VariableDialog
+from phonemeanalyser.desktop.analyse.recognition.variable_panel import VariableDialog
 from phonemeanalyser.desktop.analyse.spectra.curve_dialogs import CurveDialogs
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop

@@ -9,8 +9,7 @@ import moderngl
 import numpy as np
 
 from phonemeanalyser.rendering import RenderingError, draws_in_software
-from phonemeanalyser.rendering.camera import Camera
-from phonemeanalyser.rendering.light import LIGHT, Light
+from phonemeanalyser.rendering.camera import LIGHT, Camera, Light
 from phonemeanalyser.rendering.renderer import STILL, Colour, HeadRenderer
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.mouth.idle_motion import HeadPose

@@ -11,7 +11,7 @@ import moderngl
 import numpy as np
 
 from phonemeanalyser.rendering import RenderingError
-from phonemeanalyser.rendering.light import BoundingSphere
+from phonemeanalyser.rendering.camera import BoundingSphere
 from phonemeengine.arrays import BoolArray, Float32Array, Float64Array
 from phonemeengine.mouth.mesh import Mesh
 

@@ -8,8 +8,15 @@ import moderngl
 import numpy as np
 
 from phonemeanalyser.rendering import RenderingError, passes
-from phonemeanalyser.rendering.camera import Camera, NeckPivot, rotation_of
-from phonemeanalyser.rendering.light import LIGHT, BoundingSphere, Light, direction_of
+from phonemeanalyser.rendering.camera import (
+    LIGHT,
+    BoundingSphere,
+    Camera,
+    Light,
+    NeckPivot,
+    direction_of,
+    rotation_of,
+)
 from phonemeanalyser.rendering.materials import KINDS, MaterialPass, draw_calls_of
 from phonemeanalyser.rendering.surface import Surface, specular_mask
 from phonemeanalyser.rendering.textures import with_pixels

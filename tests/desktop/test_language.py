@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.analyse.lanes.label_dialogs import TiersDialog
 from phonemeanalyser.desktop.analyse.recognition.preset_choice import EncoderDialog
-from phonemeanalyser.desktop.analyse.recognition.variable_dialog import VariableDialog
+from phonemeanalyser.desktop.analyse.recognition.variable_panel import VariableDialog
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.calibrate.page import MappingDialog
 from phonemeanalyser.desktop.engine_errors import ERRORS

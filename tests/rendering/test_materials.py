@@ -8,8 +8,7 @@ import pytest
 from scipy.ndimage import binary_dilation, binary_erosion, distance_transform_edt
 
 from phonemeanalyser.rendering import RenderingError
-from phonemeanalyser.rendering.camera import Camera
-from phonemeanalyser.rendering.light import Light
+from phonemeanalyser.rendering.camera import Camera, Light
 from phonemeanalyser.rendering.materials import draw_calls_of
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 from phonemeanalyser.rendering.textures import LARGEST, MOST_PIXELS, with_pixels

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import binary_fill_holes
 
 from phonemeanalyser.rendering import RenderingError, draws_in_software
-from phonemeanalyser.rendering.camera import Camera
-from phonemeanalyser.rendering.light import Light
+from phonemeanalyser.rendering.camera import Camera, Light
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer, offscreen_context
 from phonemeanalyser.rendering.renderer import INSIDE, HeadRenderer, colour_of
 from phonemeanalyser.rendering.surface import subdivided

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from phonemeanalyser.desktop.session.playback import Playback
+from phonemeanalyser.desktop.session.sources import Playback
 from phonemeengine.analyser import Analyser
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.mouth.exports.exporter import Exporter

@@ -8,10 +8,8 @@ from PySide6.QtCore import QObject, Signal
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.curves import CurveTable
 from phonemeanalyser.desktop.session.label_tiers import LabelTiers
-from phonemeanalyser.desktop.session.live_sonagram import LiveSonagram
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.phoneme_writer import PhonemeWriter
-from phonemeanalyser.desktop.session.playback import Playback
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.results import AnalysisResults
 from phonemeanalyser.desktop.session.rules import RuleModel
@@ -19,7 +17,8 @@ from phonemeanalyser.desktop.session.score import ScoreModel
 from phonemeanalyser.desktop.session.seen_sound import SeenSound
 from phonemeanalyser.desktop.session.seen_tracks import LiveFeelings
 from phonemeanalyser.desktop.session.serving import ServerModel
-from phonemeanalyser.desktop.session.sources import FileSource, Source, SourceKind, source_of
+from phonemeanalyser.desktop.session.sonagram_tiles import LiveSonagram
+from phonemeanalyser.desktop.session.sources import FileSource, Playback, Source, SourceKind, source_of
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.output import Output, open_output

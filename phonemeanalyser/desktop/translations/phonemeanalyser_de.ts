@@ -854,7 +854,7 @@
             <translation>Ein Wort muss vor seinem Ende und innerhalb von {longest} s beginnen, gefunden {start}..{end} s; Kurven neu exportieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>a-z, 0-9 and _, such as my_hiss</source>
             <translation>z. B. mein_zischen (a-z, 0-9, _)</translation>
         </message>
@@ -894,7 +894,7 @@
             <translation>Anzeigeverstärkung an die Lautstärke anpassen; Bewegen des Reglers schaltet das ab</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>Add</source>
             <translation>Hinzufügen</translation>
         </message>
@@ -1049,7 +1049,7 @@
             <translation>Nachher</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>After all filters</source>
             <translation>Nach allen Filtern</translation>
         </message>
@@ -1059,7 +1059,7 @@
             <translation>Nach Filtern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>After smoothing, high-pass and low-pass</source>
             <translation>Nach Glättung, Hoch- und Tiefpass</translation>
         </message>
@@ -1569,7 +1569,7 @@
             <translation>Vorher</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>Before all spectral filters</source>
             <translation>Vor allen Filtern des Spektrums</translation>
         </message>
@@ -3735,7 +3735,7 @@
             <translation>Frequenz des Sinustons; Pfeiltasten: um einen Halbton, Bildtasten: um eine Oktave</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>From</source>
             <translation>Von</translation>
         </message>
@@ -5630,7 +5630,7 @@
             <translation>Mittel {range}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>Measure</source>
             <translation>Messgröße</translation>
         </message>
@@ -5750,7 +5750,7 @@
             <translation>mel</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>Mel filter bank</source>
             <translation>Mel-Filterbank</translation>
         </message>
@@ -6035,12 +6035,12 @@
             <translation>Nahuatl (klassisch)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>Name</source>
             <translation>Name</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/widgets/label_editor.py" />
+            <location filename="../../../phonemeanalyser/desktop/widgets/lanes.py" />
             <source>Name of the label</source>
             <translation>Name der Beschriftung</translation>
         </message>
@@ -6130,7 +6130,7 @@
             <translation>Neue Regel</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>New Variable</source>
             <translation>Neue Variable</translation>
         </message>
@@ -11080,7 +11080,7 @@
             <translation>Zeiten müssen Sekunden ab 0 sein</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>To</source>
             <translation>Bis</translation>
         </message>

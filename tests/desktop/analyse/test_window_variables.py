@@ -8,7 +8,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialog, QPushButton
 
-from phonemeanalyser.desktop.analyse.recognition.variable_dialog import VariableDialog
+from phonemeanalyser.desktop.analyse.recognition.variable_panel import VariableDialog
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.presets.files import load_preset
 from phonemeengine.settings import BIN_WIDTH

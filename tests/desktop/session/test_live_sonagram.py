@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from phonemeanalyser.desktop.session.history import CAPACITY, GAP, History
-from phonemeanalyser.desktop.session.live_sonagram import LiveSonagram
-from phonemeanalyser.desktop.session.sonagram_tiles import COLUMNS, SonagramTiles, levels_of
+from phonemeanalyser.desktop.session.sonagram_tiles import COLUMNS, LiveSonagram, SonagramTiles, levels_of
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.audio.files import SoundReader

@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QAbstractSpinBox
 
-from phonemeanalyser.desktop.analyse.recognition.variable_dialog import VariableDialog
+from phonemeanalyser.desktop.analyse.recognition.variable_panel import VariableDialog
 from phonemeanalyser.desktop.widgets.fields import NumberField
 from tests.desktop.hands import followed, type_number
 

@@ -24,8 +24,7 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import ElidedLabel, Wrapping, column, row, toggle_button, tool_button
-from phonemeanalyser.desktop.widgets.label_editor import LabelEditor
-from phonemeanalyser.desktop.widgets.lanes import BoundaryDrag, Lane
+from phonemeanalyser.desktop.widgets.lanes import BoundaryDrag, LabelEditor, Lane
 from phonemeengine.inspection.whole_sound import FrameRange, FrameState
 from phonemeengine.labels.label import ROUNDING
 from phonemeengine.phonemes import Phoneme

@@ -13,9 +13,8 @@ from phonemeanalyser.desktop.analyse.transport.microphone_bar import MicrophoneB
 from phonemeanalyser.desktop.analyse.transport.tone_bar import ToneBar
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import format_clock, set_size
-from phonemeanalyser.desktop.session.playback import QUIETEST_DB, Playback
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.session.sources import SourceKind
+from phonemeanalyser.desktop.session.sources import QUIETEST_DB, Playback, SourceKind
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets import builders
 from phonemeengine.arrays import UInt8Array, UInt32Array

@@ -7,8 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.talk.drivers.opened_files import OpenedFiles
-from phonemeanalyser.desktop.talk.drivers.performance_model import MeasuredSound, PerformanceModel
+from phonemeanalyser.desktop.talk.drivers.performance_model import MeasuredSound, OpenedFiles, PerformanceModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array

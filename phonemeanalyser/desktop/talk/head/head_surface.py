@@ -12,8 +12,7 @@ from PySide6.QtWidgets import QWidget
 from typing_extensions import override
 
 from phonemeanalyser.rendering import RenderingError, draws_in_software
-from phonemeanalyser.rendering.camera import Camera
-from phonemeanalyser.rendering.light import Light
+from phonemeanalyser.rendering.camera import Camera, Light
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.morph_mesh import MorphMesh

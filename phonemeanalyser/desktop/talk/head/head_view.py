@@ -24,8 +24,7 @@ from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import ElidedLabel, column, named, row, spoken_button, tool_button
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
-from phonemeanalyser.rendering.camera import Camera
-from phonemeanalyser.rendering.light import LIGHT, Light
+from phonemeanalyser.rendering.camera import LIGHT, Camera, Light
 from phonemeengine.mouth.head import Framing
 from phonemeengine.mouth.morph_mesh import MorphMesh
 

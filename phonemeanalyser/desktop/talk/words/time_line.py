@@ -16,11 +16,11 @@ from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.words import spoken_lanes
 from phonemeanalyser.desktop.talk.words.felt_text import USUAL
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.label_editor import LabelEditor
 from phonemeanalyser.desktop.widgets.lanes import (
     GRAB,
     TIME_HEIGHT,
     BoundaryDrag,
+    LabelEditor,
     Lane,
     TimeAxis,
     paint_lane,

@@ -149,7 +149,6 @@ def said_in(utterance: Utterance) -> str:
     return " ".join(word.text for word in utterance.words if word.text)
 
 
-@lru_cache(4)  # asked several times at each key that is pressed
 @lru_cache(4)  # asked several times for each key that is typed, of texts of hours
 def same_words(one: str, other: str) -> bool:
     """Return whether two texts have the same words, whatever their marks, capitals and directions in brackets."""
