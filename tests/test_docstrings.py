@@ -61,9 +61,7 @@ def names_of(tree: ast.AST) -> Iterator[str]:
 
 def members_of(definition: ast.ClassDef) -> set[str]:
     """Return the methods, fields and attributes of a class."""
-    assigned = [node for node in definition.body if isinstance(node, ast.Assign | ast.AnnAssign)]
-    stores = (name for node in [*assigned, *functions(definition)] for name in stored(node))
-    return {*stores, *(function.name for function in functions(definition))}
+    return {*stored(definition), *(function.name for function in functions(definition))}
 
 
 class Product:

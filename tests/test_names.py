@@ -8,6 +8,7 @@ from functools import cache
 from pathlib import Path
 
 from tests.conftest import ROOT
+from tools.trees import nodes_of, tree_of
 
 PACKAGES = (ROOT / "engine" / "phonemeengine", ROOT / "engine" / "phonemetraining", ROOT / "phonemeanalyser")
 PYTHON_S_OWN = (
@@ -30,7 +31,7 @@ PYTHON_S_OWN = (
 def modules() -> dict[Path, ast.Module]:
     """Give the product's modules, by their paths."""
     files = [path for package in PACKAGES for path in sorted(package.rglob("*.py"))]
-    return {path.relative_to(ROOT): ast.parse(path.read_text(encoding="utf-8")) for path in files}
+    return {path.relative_to(ROOT): tree_of(path) for path in files}
 
 
 def names_in(module: ast.Module) -> Iterator[str]:
@@ -44,8 +45,8 @@ def names_in(module: ast.Module) -> Iterator[str]:
 
 def test_no_class_is_called_as_another_one() -> None:
     places: defaultdict[str, list[str]] = defaultdict(list)
-    for path, module in modules().items():
-        for node in ast.walk(module):
+    for path in modules():
+        for node in nodes_of(ROOT / path):
             if isinstance(node, ast.ClassDef):
                 places[node.name.lstrip("_")].append(f"{path}:{node.lineno}")
     assert len(places) > 200

@@ -16,6 +16,7 @@ from typing import Any
 
 from tools.translations.sources import WINDOW, sources_in
 from tools.translations.ts_file import read_translations
+from tools.trees import nodes_of, tree_of
 
 ROOT = Path(__file__).resolve().parents[1]
 TERMS = ROOT / "docs" / "terms.toml"
@@ -153,9 +154,8 @@ def message_texts() -> Iterator[tuple[str, int, str]]:
     for path in _modules("phonemeanalyser", "engine/phonemeengine"):
         if path.name == "sentences.py":  # texts to read aloud
             continue
-        tree = ast.parse(path.read_text("utf-8"))
-        docstrings = {node.value for node in statements(tree) if isinstance(node, ast.Expr)}
-        for node in ast.walk(tree):
+        docstrings = {node.value for node in statements(tree_of(path)) if isinstance(node, ast.Expr)}
+        for node in nodes_of(path):
             if not isinstance(node, ast.Constant) or node in docstrings:
                 continue
             if isinstance(node.value, str) and " " in node.value:
@@ -178,13 +178,12 @@ def _pages(folder: Path) -> Iterator[tuple[str, int, str]]:
 def code_texts() -> Iterator[tuple[str, int, str]]:
     """Yield docstrings and comments."""
     for path in _modules("engine", "phonemeanalyser", "tools"):
-        source = path.read_text("utf-8")
         name = path.relative_to(ROOT).as_posix()
-        for line, text in enumerate(source.splitlines(), 1):
+        for line, text in enumerate(path.read_text("utf-8").splitlines(), 1):
             if comment := COMMENT.search(text):
                 yield name, line, comment[0]
         # A docstring is any literal that stands as a statement: also those below attributes.
-        for node in (node.value for node in statements(ast.parse(source)) if isinstance(node, ast.Expr)):
+        for node in (node.value for node in statements(tree_of(path)) if isinstance(node, ast.Expr)):
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
                 yield name, node.lineno, node.value
     yield from _runtime_comments()

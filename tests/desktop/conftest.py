@@ -110,6 +110,7 @@ def collector(qapp: QApplication) -> Iterator[WindowThreadCollector]:
     collector = WindowThreadCollector()
     yield collector
     collector.close()
+    gc.freeze()  # again what no later collection need look through
 
 
 @pytest.fixture(autouse=True)

@@ -31,6 +31,7 @@ from phonemeengine.speech.pinyin.table import USUAL_PINYIN_TABLE
 from phonemeengine.speech.pinyin.timing import format_plan
 from phonemeengine.speech.pinyin.track import pinyin_track
 from tests.conftest import ROOT
+from tools.trees import tree_of
 
 DOCS = ROOT / "docs"
 PAGES = [*sorted(DOCS.rglob("*.md")), *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md"))]
@@ -122,7 +123,7 @@ def test_the_way_of_a_block_names_what_is_there() -> None:
 def defined() -> frozenset[tuple[str, str]]:
     """Name each class and function of both packages, and each class with each of its members."""
     files = [path for folder in ("engine", "phonemeanalyser") for path in (ROOT / folder).rglob("*.py")]
-    return frozenset(name for path in files for name in _names(ast.parse(path.read_text(encoding="utf-8"))))
+    return frozenset(name for path in files for name in _names(tree_of(path)))
 
 
 def _names(module: ast.Module) -> Iterator[tuple[str, str]]:

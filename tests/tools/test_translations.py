@@ -2,7 +2,7 @@
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
@@ -13,6 +13,7 @@ from tools.translations.__main__ import compile_translations
 from tools.translations.errors import ENGINE, LIST, RENDERING, WITHOUT_WINDOW, errors_in, refused_in
 from tools.translations.sources import WINDOW, sources_in, texts_of
 from tools.translations.ts_file import read_translations, write_translations
+from tools.trees import nodes_of
 
 FILES = [TRANSLATIONS / f"phonemeanalyser_{language}.ts" for language in LANGUAGES if language != WRITTEN_IN]
 MODULES = sorted(WINDOW.rglob("*.py"))
@@ -97,14 +98,18 @@ PLACE = re.compile(r"\{[^}]*\}")
 MARKUP = re.compile(r"<[^>]*>|&\w+;|\*?\.\w+")
 
 
-def untranslated_in(code: str) -> list[str]:
+def untranslated_in(nodes: Iterable[ast.AST]) -> list[str]:
     """Return the literal texts with words that code shows without having them translated, each with its line."""
     found = []
-    for node in ast.walk(ast.parse(code)):
+    for node in nodes:
         if isinstance(node, ast.Call) and _shows(_name_of(node.func)):
             for argument in (*node.args, *(keyword.value for keyword in node.keywords)):
                 found += [f"{node.lineno}: {text}" for text in _shown_in(argument) if _has_words(text)]
     return found
+
+
+def walk(code: str) -> list[ast.AST]:
+    return [*ast.walk(ast.parse(code))]
 
 
 def _shows(name: str) -> bool:
@@ -138,13 +143,12 @@ def _name_of(function: ast.expr) -> str:
 
 
 def test_every_text_that_the_window_shows_is_translated() -> None:
-    found = {path.name: untranslated_in(path.read_text("utf-8")) for path in MODULES}
+    found = {path.name: untranslated_in(nodes_of(path)) for path in MODULES}
     assert {name: texts for name, texts in found.items() if texts} == {}
 
 
 def test_what_is_translated_is_a_whole_text_and_its_places_are_named() -> None:
-    code = "\n".join(path.read_text("utf-8") for path in MODULES)
-    calls = [node for node in ast.walk(ast.parse(code)) if isinstance(node, ast.Call)]
+    calls = [node for path in MODULES for node in nodes_of(path) if isinstance(node, ast.Call)]
     translated = [argument for call in calls if _name_of(call.func) in TRANSLATING for argument in call.args]
     assert len(translated) > 1000
     assert [ast.unparse(node) for node in translated if isinstance(node, ast.JoinedStr | ast.BinOp)] == []
@@ -155,8 +159,8 @@ def test_what_is_translated_is_a_whole_text_and_its_places_are_named() -> None:
 
 def test_a_text_that_is_not_translated_is_found() -> None:
     code = "label.setText('Hello')\nQLabel(f'{n} of them')\nbox.addItem('on' if x else 'off and on', 1)\n"
-    assert untranslated_in(code) == ["1: Hello", "2: {} of them", "3: off and on"]
-    assert untranslated_in("label.setText(tr('Hello'))\nbox.setSuffix(' ms')\nprint('Hello')") == []
+    assert untranslated_in(walk(code)) == ["1: Hello", "2: {} of them", "3: off and on"]
+    assert untranslated_in(walk("label.setText(tr('Hello'))\nbox.setSuffix(' ms')\nprint('Hello')")) == []
 
 
 def test_texts_are_found_by_the_calls_that_translate_them() -> None:
@@ -164,7 +168,7 @@ def test_texts_are_found_by_the_calls_that_translate_them() -> None:
         "A = tr_noop('one')\n"
         "def f(x): return tr('two' if x else 'three'), tr('four', 'a comment'), tr_count('1', 'n', x)\n"
     )
-    assert set(texts_of(code)) == {
+    assert set(texts_of(walk(code))) == {
         ("one", ""),
         ("two", ""),
         ("three", ""),
@@ -190,7 +194,7 @@ def test_an_error_is_found_with_the_words_that_are_put_into_it() -> None:
         "raise self._error(f'{path.name}: {error}')\n"
         "raise refusal(key, 'a list of words', value)\n"
     )
-    assert {*refused_in(code)} == {
+    assert {*refused_in(walk(code))} == {
         "too short",
         "too long by {seconds} s",
         "{name}: it is {fault}, {error}; cut {fault_2}{y}",

@@ -9,6 +9,8 @@ from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
+from tools.trees import nodes_of
+
 ROOT = Path(__file__).resolve().parents[2]
 ENGINE = ROOT / "engine" / "phonemeengine"
 RENDERING = ROOT / "phonemeanalyser" / "rendering"
@@ -54,21 +56,20 @@ def errors_in(folders: tuple[Path, ...] = (ENGINE, RENDERING)) -> dict[str, Path
     for folder in folders:
         for path in sorted(folder.rglob("*.py")):
             if path.relative_to(folder.parent).as_posix().removeprefix("phonemeengine/") not in WITHOUT_WINDOW:
-                for text in refused_in(path.read_text("utf-8")):
+                for text in refused_in(nodes_of(path)):
                     found.setdefault(_PLACE.sub("{}", text), (text, path))  # places may be called otherwise
     return dict(sorted(found.values(), key=lambda entry: (-len(_PLACE.sub("", entry[0])), entry[0])))
 
 
-def refused_in(code: str) -> Iterator[str]:
+def refused_in(nodes: list[ast.AST]) -> Iterator[str]:
     """Yield the texts of the errors of a module, then the parts that its variables and functions put into them."""
-    tree = ast.parse(code)
     put_in = {"failure"}
-    for node in ast.walk(tree):
+    for node in nodes:
         if isinstance(node, ast.Call) and _makes_error(node):
             for argument in (*node.args, *(keyword.value for keyword in node.keywords)):
                 yield from filter(_is_sentence, _texts(argument))
                 put_in |= {*_names_in(argument)}
-    for node in ast.walk(tree):
+    for node in nodes:
         if isinstance(node, ast.Assign | ast.NamedExpr) and put_in & {*_names_set(node)}:
             yield from filter(_is_sentence, _texts(node.value))
         elif isinstance(node, ast.FunctionDef) and node.name in put_in:

@@ -5,13 +5,14 @@ with which it refuses something.
 """
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
 from phonemeengine.settings import STAGES
 from tools.translations.errors import errors_in
+from tools.trees import nodes_of
 
 ROOT = Path(__file__).resolve().parents[2]
 WINDOW = ROOT / "phonemeanalyser" / "desktop"
@@ -39,7 +40,7 @@ def sources_in(folder: Path = WINDOW) -> dict[tuple[str, str], Source]:
     """Return all texts of a folder and of the engine by text and comment, each where it is found first."""
     found: dict[tuple[str, str], Source] = {}
     for path in sorted(folder.rglob("*.py")):
-        for text, comment in texts_of(path.read_text("utf-8")):
+        for text, comment in texts_of(nodes_of(path)):
             found.setdefault((text, comment), Source(text, comment, path.relative_to(ROOT).as_posix()))
     for text in texts_of_parameters():
         found.setdefault((text, ""), Source(text, "", "engine/phonemeengine/settings.py"))
@@ -56,9 +57,9 @@ def texts_of_parameters() -> Iterator[str]:
         yield from filter(None, words)
 
 
-def texts_of(code: str) -> Iterator[tuple[str, str]]:
+def texts_of(nodes: Iterable[ast.AST]) -> Iterator[tuple[str, str]]:
     """Yield text and comment of every call that has them as literals, in order."""
-    for node in ast.walk(ast.parse(code)):
+    for node in nodes:
         if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in N_TEXTS):
             continue
         comment = _literal(node.args[1]) if node.func.id == "tr" and len(node.args) > 1 else None
