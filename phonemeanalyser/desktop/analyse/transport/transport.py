@@ -17,6 +17,7 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import QUIETEST_DB, Playback, SourceKind
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets import builders
+from phonemeanalyser.desktop.widgets.pages import PageStack
 from phonemeengine.arrays import UInt8Array, UInt32Array
 from phonemeengine.inspection.whole_sound import FrameState, SoundTracks
 from phonemeengine.phonemes import Phoneme
@@ -220,19 +221,12 @@ LEAST_TIME_WIDTH = 112
 """Of the time, pixels, so that a short one leaves the slider where it is."""
 
 
-class Pages(QtWidgets.QStackedWidget):
-    """Widgets of which one is seen, and needs room."""
-
-    @override
-    def sizeHint(self) -> QSize:
-        seen = self.currentWidget()
-        return seen.sizeHint() if seen else super().sizeHint()
+class Pages(PageStack):
+    """Widgets of which one is seen, and needs room, while the height is that of all."""
 
     @override
     def minimumSizeHint(self) -> QSize:
-        """Ask for what the widget that is seen needs, and for the height of all."""
-        seen, most = self.currentWidget(), super().minimumSizeHint()
-        return QSize(seen.minimumSizeHint().expandedTo(seen.minimumSize()).width(), most.height()) if seen else most
+        return QSize(super().minimumSizeHint().width(), QtWidgets.QStackedWidget.minimumSizeHint(self).height())
 
 
 class Transport(builders.Rewrapped):
@@ -406,7 +400,6 @@ class Transport(builders.Rewrapped):
             SourceKind.TONE: self.tone,
         }
         self.pages.setCurrentWidget(pages.get(kind, self.position_slider))
-        self.pages.updateGeometry()
         of_file: tuple[QtWidgets.QWidget, ...] = (self.loop, self.channel_label, self.channel)
         for widget in of_file:
             widget.setVisible(kind is SourceKind.FILE)

@@ -3,6 +3,7 @@
 import math
 import time
 from dataclasses import replace
+from functools import partial
 
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QContextMenuEvent, QKeyEvent, QMouseEvent, QWheelEvent
@@ -330,16 +331,25 @@ class HeadPair(QWidget):
         self._talking = talking
         self.main, self.beside = CaptionedHead(talking.head, theme), CaptionedHead(talking.beside, theme)
         row((self.main, 1), (self.beside, 1), on=self, spacing=1)
+        head = self.main.view
         self.wireframe = named(QCheckBox(tr("Wireframe")), tip=tr("Draw only the edges of the mesh (W)"))
-        self.light_left = spoken_button("☀ ◂", tr("Move the light to the left (,)"))
-        self.light_right = spoken_button("▸", tr("Move the light to the right (.)"))
+        self.light_left = spoken_button(
+            "☀ ◂", tr("Move the light to the left (,)"), partial(head.move_light, -LIGHT_STEP)
+        )
+        self.light_right = spoken_button(
+            "▸", tr("Move the light to the right (.)"), partial(head.move_light, LIGHT_STEP)
+        )
         self.framings = {
-            Framing.MOUTH: tool_button(tr("Mouth"), tr("Show the mouth from the front")),
-            Framing.FACE: tool_button(tr("Face"), tr("Show the whole head from the front (Home or double-click)")),
-            Framing.BUST: tool_button(tr("Bust"), tr("Show head and shoulders from the front")),
+            framing: tool_button(words, tip, act=partial(head.go_home, framing))
+            for framing, words, tip in (
+                (Framing.MOUTH, tr("Mouth"), tr("Show the mouth from the front")),
+                (Framing.FACE, tr("Face"), tr("Show the whole head from the front (Home or double-click)")),
+                (Framing.BUST, tr("Bust"), tr("Show head and shoulders from the front")),
+            )
         }
         self.looks = (self.wireframe, self.light_left, self.light_right, *self.framings.values())
-        self._connect()
+        self.wireframe.toggled.connect(lambda on: head.look(wireframe=on))
+        head.looked.connect(lambda: self.wireframe.setChecked(head.wireframe))
         self.main.view.looked.connect(lambda: self._look_alike(self.main.view, self.beside.view))
         self.beside.view.looked.connect(lambda: self._look_alike(self.beside.view, self.main.view))
         talking.changed.connect(self._show_state)
@@ -350,16 +360,6 @@ class HeadPair(QWidget):
         self.main.view.refresh()
         if self._talking.comparing:
             self.beside.view.refresh()
-
-    def _connect(self) -> None:
-        head = self.main.view
-        self.framings[Framing.MOUTH].clicked.connect(lambda _checked: head.go_home(Framing.MOUTH))
-        self.framings[Framing.FACE].clicked.connect(lambda _checked: head.go_home())
-        self.framings[Framing.BUST].clicked.connect(lambda _checked: head.go_home(Framing.BUST))
-        self.wireframe.toggled.connect(lambda on: head.look(wireframe=on))
-        self.light_left.clicked.connect(lambda _checked: head.move_light(-LIGHT_STEP))
-        self.light_right.clicked.connect(lambda _checked: head.move_light(LIGHT_STEP))
-        head.looked.connect(lambda: self.wireframe.setChecked(head.wireframe))
 
     def _look_alike(self, one: HeadView, other: HeadView) -> None:
         seen = (one.camera, one.wireframe, one.light)

@@ -1,5 +1,6 @@
 """Whose face it is, how it moves, and how fast the mouth is for which sound."""
 
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QRectF, QSize, Qt, Signal
@@ -132,10 +133,19 @@ class ChoicesPanel(QWidget):
         self._theme = theme
         self.face = ElidedLabel()
         self.own = tool_button(
-            tr("Load Face…"), tr("Load a face mesh (.obj, .glb, .vrm, .gltf, .x) with its blend shapes (.3dm)")
+            tr("Load Face…"),
+            tr("Load a face mesh (.obj, .glb, .vrm, .gltf, .x) with its blend shapes (.3dm)"),
+            act=self.mesh_asked.emit,
         )
-        self.heads = {head: tool_button(tr(name), tr(HEAD_TIPS[head])) for head, name in HEADS.items()}
-        self.map = tool_button(tr("Map Shapes…"), tr("Map the blend shapes of this face to those of the mouth table"))
+        self.heads = {
+            head: tool_button(tr(name), tr(HEAD_TIPS[head]), act=partial(talking.face.load, FaceFiles(Path(head))))
+            for head, name in HEADS.items()
+        }
+        self.map = tool_button(
+            tr("Map Shapes…"),
+            tr("Map the blend shapes of this face to those of the mouth table"),
+            act=self.mapping_asked.emit,
+        )
         self.table = choice((), tr("Mouth table"), tr(TABLE_TIP))
         self.detail = choice(
             ((tr(words), detail) for detail, words in DETAILS.items()), tr("Level of detail"), tr(DETAIL_TIP)
@@ -177,10 +187,6 @@ class ChoicesPanel(QWidget):
 
     def _connect(self) -> None:
         talking = self._talking
-        self.own.clicked.connect(lambda _checked: self.mesh_asked.emit())
-        self.heads[Head.WOMAN].clicked.connect(lambda _checked: talking.face.load(FaceFiles(Path(Head.WOMAN))))
-        self.heads[Head.MAN].clicked.connect(lambda _checked: talking.face.load(FaceFiles(Path(Head.MAN))))
-        self.map.clicked.connect(lambda _checked: self.mapping_asked.emit())
         self.table.activated.connect(self._choose_table)
         self.detail.activated.connect(lambda k: talking.set_detail(self.detail.itemData(k)))
         for box in (self.attack, self.release):

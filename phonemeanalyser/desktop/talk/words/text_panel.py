@@ -94,7 +94,9 @@ class TextPanel(QWidget):
         self._listed: object = None
         self.field = TextField()
         self.script = builders.spoken_button(
-            tr("Script…"), tr("Open the text of the recording: a text file, a TextGrid, or JSON with word times")
+            tr("Script…"),
+            tr("Open the text of the recording: a text file, a TextGrid, or JSON with word times"),
+            self.script_asked.emit,
         )
         self.speaker = builders.choice((), tr("Speaker"), tr("Speaker whose words are read from the labels"))
         self.language = SearchBox(
@@ -104,14 +106,9 @@ class TextPanel(QWidget):
         self.language.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.language.setMinimumWidth(NARROWEST)
         self.voice = VoiceButton(self._texts.voice, self._texts.drivers, theme)
-        self.lexicon = builders.spoken_button(
-            tr("Lexicon…"),
-            tr(
-                "Load a file with the pronunciation of words; other words are pronounced by the rules of the language"
-            ),
-        )
+        self.lexicon = builders.spoken_button(tr("Lexicon…"), tr(LEXICON), self._choose_lexicon)
         self.literal = builders.named(QCheckBox(tr("Literal")), tip=tr(NOTATION))
-        self.act = builders.tool_button("")
+        self.act = builders.tool_button("", act=self._align_or_say)
         self.act.setStyleSheet(
             f"QToolButton {{ color: {theme.on_colour}; background: {theme.accent}; border: 1px solid {theme.accent};"
             " border-radius: 4px; padding: 4px 14px; font-weight: bold }"
@@ -119,7 +116,9 @@ class TextPanel(QWidget):
             f"QToolButton:disabled {{ color: {theme.faint}; background: {theme.raised}; border-color: {theme.line} }}"
         )
         self.anyway = builders.spoken_button(
-            tr("Align Anyway"), tr("Align the text, though it doesn’t seem to match the recording")
+            tr("Align Anyway"),
+            tr("Align the text, though it doesn’t seem to match the recording"),
+            self._texts.align_anyway,
         )
         self.refusal = builders.ElidedLabel(tr("The recording doesn’t match this text."))
         self.state = builders.ElidedLabel()
@@ -146,13 +145,9 @@ class TextPanel(QWidget):
     def _connect(self) -> None:
         texts, session = self._texts, self._talking.session
         self.field.textChanged.connect(lambda: texts.set_text(self.field.toPlainText()))
-        self.script.clicked.connect(lambda _checked: self.script_asked.emit())
         self.speaker.textActivated.connect(self._choose_speaker)
         self.language.activated.connect(lambda k: texts.set_language(self.language.itemData(k)))
-        self.lexicon.clicked.connect(lambda _checked: self._choose_lexicon())
         self.literal.clicked.connect(texts.set_literal)
-        self.act.clicked.connect(lambda _checked: self._align_or_say())
-        self.anyway.clicked.connect(lambda _checked: texts.align_anyway())
         texts.changed.connect(self._show_state)
         texts.text_changed.connect(self._show_text)
         texts.voice.changed.connect(self._show_state)
