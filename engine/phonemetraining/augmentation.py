@@ -211,6 +211,9 @@ def _fitted(samples: Float32Array, n: int) -> Float32Array:
 
 RANGE = (0.84, 1.2)
 """How much faster and higher a voice is made, and how much shorter its vocal tract; adult voices span about that."""
+HIGH, HIGH_RANGES = 0.2, ((1.05, 1.6), (1.2, 1.7))
+"""Share of the variations that become a child's or a cartoon voice, how much faster and higher these are, and how much
+shorter their vocal tract: that of a small child is about two thirds as long as a man's."""
 IN_A_ROOM, IN_NOISE = 0.4, 0.2
 """Shares of the variations that are said in a made-up room, and over music or the noise of a desk."""
 SNRS = (3.0, 30.0)
@@ -247,10 +250,11 @@ class Augmentation:
 
 def draw_augmentation(generator: np.random.Generator) -> Augmentation:
     """Draw a variation: in the end the formants lie anywhere in the range, whatever became of the pitch."""
-    low, high = np.log(RANGE)
-    rate = float(np.exp(generator.uniform(low, high))) if generator.random() < 0.7 else 1.0
-    tract = float(np.exp(generator.uniform(low, high)))
-    warp = float(np.clip(rate / tract, 0.8, 1.25)) if generator.random() < 0.6 else 1.0
+    high = generator.random() < HIGH
+    rates, tracts = np.log(HIGH_RANGES if high else (RANGE, RANGE))
+    rate = float(np.exp(generator.uniform(*rates))) if high or generator.random() < 0.7 else 1.0
+    tract = float(np.exp(generator.uniform(*tracts)))
+    warp = float(np.clip(rate / tract, 0.8, 1.25)) if high or generator.random() < 0.6 else 1.0
     chain = tuple(step for share, step in CHAINS if generator.random() < share)
     return Augmentation(rate, warp, generator.random() < IN_A_ROOM, generator.random() < IN_NOISE, chain)
 

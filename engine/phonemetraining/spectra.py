@@ -149,6 +149,8 @@ def _powers(decibels: Tensor) -> Tensor:
 
 WARPED, WARPS = 0.5, (0.86, 1.17)
 """Share of the excerpts whose frequencies are scaled, as by a shorter or longer vocal tract, and by how much."""
+HIGH, HIGH_WARPS = 0.15, (1.17, 1.6)
+"""Share of the excerpts that become a child's or a cartoon voice, pitch and formants alike, and how high."""
 
 
 def warped(logarithms: Tensor, bands: Bands) -> Tensor:
@@ -156,7 +158,8 @@ def warped(logarithms: Tensor, bands: Bands) -> Tensor:
     ICML workshop 2013); same shape."""
     n, n_frames, n_bands = logarithms.shape
     chance, factor = torch.rand(2, n, 1, device=logarithms.device)
-    factor = torch.where(chance < WARPED, WARPS[0] + (WARPS[1] - WARPS[0]) * factor, 1.0)
+    scaled, high = (low + (most - low) * factor for low, most in (WARPS, HIGH_WARPS))
+    factor = torch.where(chance < WARPED, scaled, torch.where(chance > 1 - HIGH, high, 1.0))
     centres = torch.tensor(bands.centres, device=logarithms.device)
     # between which two bands the frequency lies that is moved to each
     places = torch.searchsorted(centres, (centres / factor).contiguous()).clamp(1, n_bands - 1)

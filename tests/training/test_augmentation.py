@@ -8,6 +8,8 @@ from phonemeengine.settings import SAMPLE_RATE
 from phonemetraining.augmentation import (
     CHAINS,
     CODECS,
+    HIGH,
+    RANGE,
     SNRS,
     SPEED_OF_SOUND,
     Augmentation,
@@ -178,6 +180,9 @@ def test_a_part_of_the_variations_stays_dry_and_the_same_seed_draws_the_same():
     assert 0.2 < dry < 0.4
     for _, step in CHAINS:
         assert any(step in v.chain for v in drawn)
+    high = [v.rate for v in drawn if v.rate / v.warp > 1.01 * RANGE[1]]  # formants above those of adults
+    assert 0.8 * HIGH < len(high) / len(drawn) <= HIGH + 0.03
+    assert min(high) > 1
     generator = np.random.default_rng(0)
     assert drawn == [draw_augmentation(generator) for _ in range(2000)]
 
