@@ -212,8 +212,8 @@ def _fitted(samples: Float32Array, n: int) -> Float32Array:
 RANGE = (0.84, 1.2)
 """How much faster and higher a voice is made, and how much shorter its vocal tract; adult voices span about that."""
 HIGH, HIGH_RANGES = 0.2, ((1.05, 1.6), (1.2, 1.7))
-"""Share of the variations that become a child's or a cartoon voice, how much faster and higher these are, and how much
-shorter their vocal tract: that of a small child is about two thirds as long as a man's."""
+"""Share of the variations that become a child's or a cartoon voice, how much faster and higher these are, and how
+much shorter their vocal tract: that of a small child is about two thirds as long as a man's."""
 IN_A_ROOM, IN_NOISE = 0.4, 0.2
 """Shares of the variations that are said in a made-up room, and over music or the noise of a desk."""
 SNRS = (3.0, 30.0)

@@ -47,10 +47,14 @@ N_TUNED = 3
 """Layers that move, at most; the first one of a network, which takes the sound itself, does not."""
 SMOOTHING = 0.05
 """Share of the certainty that is spread over all phonemes: labels lie a little beside the truth."""
+LEAST_SHARE = 1e-4
+"""Probabilities below count as this, so that a few wrong labels do not choose a warp."""
 LEAST_FRAMES = 3
 """A phoneme of which fewer frames are given is not touched."""
-NO_WARP = (1.0,)
-"""The vocal tract that a model listens with which knows it."""
+WARPS = (1.0, 1.2, 1.35, 1.5)
+"""Warps of the mel bands that are tried for a voice: that of an adult, and those of children and cartoon voices."""
+LEAST_GAIN = 0.1
+"""By how much a warp must raise the mean log-likelihood of the labels, nats a frame, to be preferred."""
 LEAST_SECONDS = 2.0
 BALANCE = 30
 """Frames of a phoneme beyond which further ones count less, so that all phonemes count alike."""
@@ -111,8 +115,14 @@ class _LabelStats:
         return cls(competing, (BALANCE / np.maximum(totals, BALANCE) * competing).astype(np.float32), targets)
 
 
-def adapt(model: Model, examples: Sequence[TrainingExample]) -> tuple[Model, ...]:
+def adapt(model: Model, examples: Sequence[TrainingExample], warp: float = 1.0) -> tuple[Model, ...]:
     """Return a model adapted to the labelled recordings or takes of one voice, by each of `STEP_SIZES`.
+
+    Parameters
+    ----------
+    model : what is adapted.
+    examples : labelled recordings or takes.
+    warp : of the mel bands of which the examples were made.
 
     Raises
     ------
@@ -128,12 +138,13 @@ def adapt(model: Model, examples: Sequence[TrainingExample]) -> tuple[Model, ...
     stats = _label_stats(model.viseme_set, encoded)
     tuned_model = _fine_tuned(model, _segments_of(encoded, stats, partial(_ahead, n_heads=len(model.heads))))
     told = {name: value for name, value in model.about.items() if name not in MEASURED}
-    warps = NO_WARP if stats[0].competing[CORNERS].all() else model.warps
+    tracts = (1.0,) if stats[0].competing[CORNERS].all() else np.divide(model.warps, np.median(model.warps)).tolist()
+    warps = tuple(warp * tract for tract in tracts)  # a model that knows the corners of the vowels needs one alone
     return tuple(replace(_interpolated(model, tuned_model, share), warps=warps, about=told) for share in STEP_SIZES)
 
 
 def adapt_live_head(
-    live: Preset, examples: Sequence[TrainingExample], states: Sequence[Float32Array]
+    live: Preset, examples: Sequence[TrainingExample], states: Sequence[Float32Array], warp: float = 1.0
 ) -> tuple[LiveHead, ...]:
     """Return the head of the real-time model adapted to one voice, by each of `STEP_SIZES`.
 
@@ -142,6 +153,7 @@ def adapt_live_head(
     live : a preset that recognises with the real-time model.
     examples : labelled recordings or takes.
     states : in each of them, see `states_in`.
+    warp : of the mel bands from which the states come.
     """
     assert live.live_encoder is not None
     assert live.model is not None
@@ -158,7 +170,7 @@ def adapt_live_head(
     anchors = [_anchor_of(hidden, hidden, halves, kinds) for hidden in encoder.anchor_states(ahead)]
     tuned = fine_tuned((), begun, kinds, np.ones(HALVES, np.float32), segments, anchors, HEAD_ANCHORED).head
     found = (_head_between(begun, tuned, share) for share in STEP_SIZES)
-    return tuple(replace(head, weights=moved.weights, bias=moved.bias) for moved in found)
+    return tuple(replace(head, weights=moved.weights, bias=moved.bias, warp=warp) for moved in found)
 
 
 def adapt_to_takes(
@@ -170,21 +182,49 @@ def adapt_to_takes(
     """
     assert preset.model is not None
     live = with_real_time_model(preset)
-    examples: list[TrainingExample] = []
+    sounds = [sound_of(utterance) for utterance in takes]
+    warp, examples = _best_warp(preset.model, takes, sounds)
     states: list[Float32Array] = []
-    for k, utterance in enumerate(takes):
+    for k, sound in enumerate(sounds if live.model_kind is ModelKind.ENCODER else ()):
         report_progress(progress, 0.5 * k / len(takes))
-        sound = sound_of(utterance)
-        examples.append(example_of(sound, utterance.labels))
-        if live.model_kind is ModelKind.ENCODER:
-            states.append(states_in(live, whisper_mels_of(sound)))
+        states.append(states_in(live, whisper_mels_of(sound, warp)))
     report_progress(progress, 0.5)
-    models = adapt(preset.model, examples)
+    models = adapt(preset.model, examples, warp)
     if live.model_kind is ModelKind.ENCODER:
-        heads = adapt_live_head(live, examples, states)
+        heads = adapt_live_head(live, examples, states, warp)
         models = tuple(replace(model, live_head=head) for model, head in zip(models, heads, strict=True))
     presets = [set_silence(replace(preset, model=model)) for model in models]
     return (*(found for adapted in presets for found in (adapted, _with_more_silence(adapted))), set_silence(preset))
+
+
+def _best_warp(
+    model: Model, takes: Sequence[LabelledUtterance], sounds: Sequence[Float32Array]
+) -> tuple[float, list[TrainingExample]]:
+    """Return the warp of the mel bands with which a model understands a voice best, and the examples with it.
+
+    Speakers are normalised so before anything is learned from them (L. Lee and R. Rose, "A Frequency Warping Approach
+    to Speaker Normalization", IEEE Trans. Speech and Audio Processing 6(1), 1998).
+    """
+    found = []
+    for warp in WARPS:
+        examples = [example_of(sound, take.labels, warp) for sound, take in zip(sounds, takes, strict=True)]
+        found.append((warp, examples, _likelihood_of(model, examples) - LEAST_GAIN * (warp != 1)))
+    warp, examples, _ = max(found, key=lambda one: one[2])
+    return warp, examples
+
+
+def _likelihood_of(model: Model, examples: Sequence[TrainingExample]) -> float:
+    """Return the mean logarithm of the probability of the labelled phonemes, nats a frame; 0 without labels."""
+    total = n_frames = 0.0
+    for example in examples:
+        encoded, head = _encode(model, example), model.heads[-1]
+        scores = _through_last_layers(model, encoded.hidden) @ head.weights + head.bias
+        shares = softmax_of(scores[len(model.heads) - 1 :], np.ones(len(Phoneme), bool))
+        (codes, *_), (weights, *_) = encoded.codes, encoded.weights
+        known = weights > 0
+        total += float(weights[known] @ np.log(np.maximum(shares[known, codes[known]], LEAST_SHARE)))
+        n_frames += float(weights.sum())
+    return total / n_frames if n_frames else 0.0
 
 
 def _with_more_silence(preset: Preset) -> Preset:

@@ -193,7 +193,9 @@ class _LiveModels:
         elif preset.live_model is ModelKind.ENCODER and live.warnings != preset.warnings:
             self.warning = f"{live.warnings[-1]}, and it alone learned the voice."
         # the states of a sound are the same whatever the head on them learned
-        self._states_of = lru_cache(MOST_KEPT)(lambda sound: states_in(live, whisper_mels_of(sound_of(sound))))
+        self._states_of = lru_cache(MOST_KEPT)(
+            lambda sound, warp: states_in(live, whisper_mels_of(sound_of(sound), warp))
+        )
 
     def in_use(self, preset: Preset) -> Preset:
         """Return a preset that recognises with the model in use."""
@@ -206,8 +208,9 @@ class _LiveModels:
         found = []
         for preset, utterances in cases:
             live = self._with(kind, preset)
+            warp = live.model.live_head.warp if live.model and live.model.live_head else 1.0
             for utterance in utterances:
-                states = self._states_of(replace(utterance, labels=()))
+                states = self._states_of(replace(utterance, labels=()), warp)
                 found.append(predict(utterance, live, recogniser=recogniser_for(live, states)))
         return found
 

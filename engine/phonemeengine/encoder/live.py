@@ -75,11 +75,14 @@ class LiveHead(ShortRepr):
     bias : float32, shape (2 x 26,).
     origin : fingerprint of the head that came with the model; one that was adapted to a voice keeps it, and fits no
         other model.
+    warp : of the mel bands from which the states come, see `phonemeengine.encoder.mel.whisper_log_mels`; above 1 for
+        a voice with a shorter vocal tract than those the model was trained on, such as a child's.
     """
 
     weights: Float32Array
     bias: Float32Array
     origin: str
+    warp: float = 1.0
 
     def logits(self, states: Float32Array) -> Float32Array:
         """Return the logits of the phonemes and visemes, shape (2 x n_states, 26), a row each 10 ms."""

@@ -214,6 +214,8 @@ def arrays_of_model(model: Model) -> dict[str, NDArray[Any]]:
         arrays["live_head_weights"] = model.live_head.weights.astype(np.float16)
         arrays["live_head_bias"] = model.live_head.bias.astype(np.float32)
         arrays["live_head_origin"] = np.frombuffer(model.live_head.origin.encode(), np.uint8)
+        if model.live_head.warp != 1:
+            arrays["live_head_warp"] = np.array([model.live_head.warp])
     return arrays
 
 
@@ -289,7 +291,8 @@ def _live_head_of(arrays: dict[str, NDArray[Any]]) -> LiveHead | None:
         return None
     n = HALVES * N_OUTPUTS
     weights, bias = _checked(arrays["live_head_weights"], (None, n)), _checked(arrays["live_head_bias"], (n,))
-    return LiveHead(weights, bias, arrays["live_head_origin"].tobytes().decode())
+    warp = _warps_of(arrays.get("live_head_warp", np.ones(1)))[0]
+    return LiveHead(weights, bias, arrays["live_head_origin"].tobytes().decode(), warp)
 
 
 def _warps_of(array: NDArray[Any]) -> tuple[float, ...]:

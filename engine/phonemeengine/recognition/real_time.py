@@ -94,7 +94,7 @@ class RealTimeRecogniser(ScoredRecogniser):
         recognisers = (self, *others)
         if self._known is None:
             ends = np.cumsum([len(block) for block in windows])[:-1]
-            logarithms = np.split(whisper_log_mels(np.concatenate(windows)), ends)
+            logarithms = np.split(whisper_log_mels(np.concatenate(windows), self._head.warp), ends)
             states = self._encoder.encode([each._stream for each in recognisers], logarithms)
         else:
             states, self._known = [self._known], self._known[:0]  # all of them wait for what the network says

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from phonemeengine.calibration.adaptation import adapt_live_head
+from phonemeengine.calibration.adaptation import WARPS, adapt_live_head
 from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.fine_tuning import example_of, sound_of, whisper_mels_of
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
@@ -47,8 +47,10 @@ def said(phonemes: tuple[Phoneme, ...], f0: float, tract: float) -> tuple[np.nda
     return sound.astype(np.float32), tuple(labels)
 
 
-def recording(folder: Path, name: str, phonemes: tuple[Phoneme, ...], f0: float) -> LabelledUtterance:
-    sound, labels = said(phonemes, f0, STRANGER)
+def recording(
+    folder: Path, name: str, phonemes: tuple[Phoneme, ...], f0: float, tract: float = STRANGER
+) -> LabelledUtterance:
+    sound, labels = said(phonemes, f0, tract)
     put(folder, name, sound, labels)
     return LabelledUtterance(folder / f"{name}.wav", labels, "ann", "made")
 
@@ -123,6 +125,20 @@ def test_anchors_hold_what_is_said_of_others(read):
     assert by_anchors < without / 2
 
 
+def test_a_childs_voice_is_recognised_by_bands_of_higher_frequencies(tmp_path):
+    read, asked = (recording(tmp_path, name, what, 300, 1.7) for name, what in (("r", READ), ("a", ASKED)))
+    preset = preset_of()
+    outcome = calibrate(preset, [read], held_out=[asked])
+    model = outcome.preset.model
+    assert outcome.gains
+    assert model is not None
+    assert model.live_head is not None
+    assert model.live_head.warp in WARPS[1:]
+    assert model.warps == (model.live_head.warp,)
+    for found, figures in ((preset, outcome.before), (outcome.preset, outcome.after)):
+        assert scores_of([predict(asked, for_live_use(found)).answers]) == figures
+
+
 def test_both_models_learn_and_what_recognises_live_sound_is_judged(read, asked):
     preset = preset_of()
     outcome = calibrate(preset, [read], held_out=[asked])
@@ -130,6 +146,7 @@ def test_both_models_learn_and_what_recognises_live_sound_is_judged(read, asked)
     assert outcome.gains
     assert model is not None
     assert model.live_head is not None
+    assert model.live_head.warp == 1
     assert preset.model is not None
     assert not np.array_equal(model.heads[0].bias, preset.model.heads[0].bias)
     for found, figures in ((preset, outcome.before), (outcome.preset, outcome.after)):

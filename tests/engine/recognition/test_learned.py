@@ -219,13 +219,13 @@ def test_a_model_comes_back_from_its_file_as_it_was(model, tmp_path):
 
 
 def test_a_model_keeps_what_the_real_time_model_learned_of_its_voice(model, tmp_path):
-    head = LiveHead(np.full((128, 52), 0.1, np.float32), np.arange(52, dtype=np.float32), "0123")
+    head = LiveHead(np.full((128, 52), 0.1, np.float32), np.arange(52, dtype=np.float32), "0123", 1.35)
     adapted = replace(model, live_head=head).rounded()
     save_model(adapted, tmp_path / "m.npz")
     back = load_model(tmp_path / "m.npz")
     assert back == adapted != model.rounded()
     assert back.live_head is not None
-    assert back.live_head.origin == "0123"
+    assert (back.live_head.origin, back.live_head.warp) == ("0123", 1.35)
     np.testing.assert_array_equal(back.live_head.weights, np.float32(np.float16(0.1)) * np.ones((128, 52)))
     np.testing.assert_array_equal(back.live_head.bias, head.bias)
     save_model(model, tmp_path / "m.npz")
@@ -281,6 +281,7 @@ BAD = {
         lambda p: altered(p, **{name: array for name, array in HEAD.items() if name != "live_head_bias"}),
         "file is damaged",
     ),
+    "a head with a warp of 3": (lambda p: altered(p, **HEAD, live_head_warp=np.array([3.0])), "warps of 0.5..2"),
     "a missing file": (lambda p: p.unlink(), "put it beside its preset"),
 }
 
