@@ -9,10 +9,9 @@ import sys
 
 gc.disable()  # as the program does before it imports Qt
 
-from PySide6.QtCore import QEvent, QObject, QSettings, QTimer  # noqa: E402
-
-from phonemeanalyser.cli.main import main  # noqa: E402
+from phonemeanalyser.cli.main import main  # noqa: E402, I001 - in the order in which the program imports
 from phonemeanalyser.desktop.app import make_application  # noqa: E402
+from PySide6.QtCore import QEvent, QObject, QSettings, QTimer  # noqa: E402
 
 
 class Watch(QObject):
