@@ -469,6 +469,8 @@ def _listed(text: str) -> tuple[str, dict[str, str]] | None:
     for sentence, start, end in _edges(text[:1]):
         if not (text.startswith(start) and text.endswith(end)):
             continue  # before a pattern is compiled: all of them take a quarter of a second at the start
+        if sentence == text:
+            return sentence, {}
         if filled := _pattern(sentence).fullmatch(text):
             return sentence, filled.groupdict()
     return None

@@ -78,10 +78,10 @@ _ALIGNMENTS = ("alignment", "normalized_alignment")
 """Where ElevenLabs tells the times of the characters that it spoke."""
 _CHARACTERS = ("characters", "character_start_times_seconds", "character_end_times_seconds")
 _SPEAKERS = ("speaker", "speaker_id")
-_SPOKEN = re.compile(r"[\u3040-\u30ff\u3400-\u9fff][^\w\s]*|[^\s\u3040-\u30ff\u3400-\u9fff]+")
+_SPOKEN = r"[\u3040-\u30ff\u3400-\u9fff][^\w\s]*|[^\s\u3040-\u30ff\u3400-\u9fff]+"
 """A word between spaces; in languages that write none, a character and the marks behind it."""
 _KINDS = "|".join((*TIER_NAMES, WORD_TIER, SYLLABLE_TIER))
-_OF_SPEAKER = re.compile(rf"(?P<speaker>.*\S)\s*-\s*(?P<kind>(?:{_KINDS}).*)", re.IGNORECASE)
+_OF_SPEAKER = rf"(?i)(?P<speaker>.*\S)\s*-\s*(?P<kind>(?:{_KINDS}).*)"
 
 
 @dataclass(frozen=True)
@@ -144,7 +144,7 @@ def speakers_in(path: str | os.PathLike[str]) -> tuple[str, ...]:
     if path.suffix.lower() == ".json":
         names = [entry.speaker for entry in _words_in(_document_in(path, name))]
     else:
-        found = (_OF_SPEAKER.fullmatch(tier.name) for tier in tiers_of(read_text(path), name))
+        found = (re.fullmatch(_OF_SPEAKER, tier.name) for tier in tiers_of(read_text(path), name))
         names = [tier["speaker"] for tier in found if tier]
     return tuple(dict.fromkeys(name for name in names if name))
 
@@ -160,7 +160,7 @@ def tiers_of_speaker(tiers: Sequence[Tier], speaker: str | None, file: str) -> t
     """
     owned: dict[str, list[Tier]] = {}
     for tier in tiers:
-        if found := _OF_SPEAKER.fullmatch(tier.name):
+        if found := re.fullmatch(_OF_SPEAKER, tier.name):
             owned.setdefault(found["speaker"], []).append(replace(tier, name=found["kind"]))
     if not owned and speaker is None:
         return tuple(tiers)
@@ -228,7 +228,7 @@ def _words_of_characters(alignment: Mapping[str, Any]) -> Iterator[_WordEntry]:
         return
     characters = [str(character) for character in lists[0]]
     number_of = [k for k, character in enumerate(characters) for _ in character]
-    for found in _SPOKEN.finditer("".join(characters)):
+    for found in re.finditer(_SPOKEN, "".join(characters)):
         first, last = number_of[found.start()], number_of[found.end() - 1]
         yield _WordEntry(_number(lists[1][first]), _number(lists[2][last]), found.group(), "")
 

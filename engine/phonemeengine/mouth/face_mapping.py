@@ -313,7 +313,7 @@ def shapes_moved_by(names: Sequence[str]) -> dict[str, tuple[int, ...]]:
     A shape's weight is the mean of theirs; names of other things are passed over.
     """
     places = {name: k for k, name in enumerate(names) if is_unit(name)}
-    targets = guess_mapping([*places], "arkit").targets
+    targets = guess_mapping([*places], "arkit").targets if places else {}
     return {shape: tuple(places[name] for name in units) for shape, units in targets.items()}
 
 

@@ -26,13 +26,14 @@ _HAN = "\u3400-\u9fff"
 _CLOSING = "»«”“’‘」』）》\"')\\]"
 _WIDE_CLOSING = "”’」』）》\"')\\]"
 _MARKS_BEHIND_HAN = rf"(?:(?<=[{_HAN}])[{_ASCII}]+)?"
-_PIECE = re.compile(
+# Texts, which are compiled when a text is first cut: that takes longer than all else in this module.
+_PIECE = (
     rf"\n|(?:[^\s{_WIDE}](?<![{_HAN}](?=[{_ASCII}]))){{0,{LONGEST - 1}}}[^\s{_WIDE}]"
     rf"{_MARKS_BEHIND_HAN}[{_WIDE}]*[{_WIDE_CLOSING}]*|[{_WIDE}]+[{_WIDE_CLOSING}]*"
 )
-_SENTENCE_END = re.compile(rf"[.!?…。！？][{_CLOSING}]*$")
-_CLAUSE_END = re.compile(rf"[.!?…。！？,;:；：，、—–][{_CLOSING}]*$")
-_ABBREVIATION = re.compile(r"\W*(?:[^\W_]|\d+|mrs?|ms|dr|prof|st|hr|fr|nr|vs|\w+\.\w+)\.", re.IGNORECASE)
+_SENTENCE_END = rf"[.!?…。！？][{_CLOSING}]*$"
+_CLAUSE_END = rf"[.!?…。！？,;:；：，、—–][{_CLOSING}]*$"
+_ABBREVIATION = r"(?i)\W*(?:[^\W_]|\d+|mrs?|ms|dr|prof|st|hr|fr|nr|vs|\w+\.\w+)\."
 """What a full stop ends that is no sentence: an initial, an ordinal number, a title."""
 
 
@@ -48,18 +49,18 @@ def clauses_of(text: str) -> Iterator[str]:
 
 def tokens_of(clause: str) -> list[str]:
     """Return the words of a clause with the marks around them; marks of full width end one without a space."""
-    return [piece for piece in _PIECE.findall(clause) if piece != "\n"]
+    return [piece for piece in re.findall(_PIECE, clause) if piece != "\n"]
 
 
-def _cut(text: str, end: re.Pattern[str]) -> Iterator[str]:
+def _cut(text: str, end: str) -> Iterator[str]:
     start = stop = 0
-    for piece in _PIECE.finditer(text):
+    for piece in re.finditer(_PIECE, text):
         word = piece.group()
         if word == "\n" or piece.end() - start > LONGEST:
             yield from _filled(text[start:stop])
             start = piece.start()
         stop = piece.end()
-        if end.search(word) and not _is_abbreviation(word, text, stop):
+        if re.search(end, word) and not _is_abbreviation(word, text, stop):
             yield from _filled(text[start:stop])
             start = stop
     yield from _filled(text[start:])
@@ -73,7 +74,7 @@ def _filled(part: str) -> Iterator[str]:
 def _is_abbreviation(word: str, text: str, stop: int) -> bool:
     """Return whether a word's full stop is not the end of a sentence."""
     following = text[stop : stop + 2].strip(" ")
-    return bool(following.islower() or _ABBREVIATION.fullmatch(word)) and word.endswith(".") and following != ""
+    return bool(following.islower() or re.fullmatch(_ABBREVIATION, word)) and word.endswith(".") and following != ""
 
 
 _EMOJI = re.compile(
@@ -173,24 +174,21 @@ SHIPPED = Path(__file__).resolve().parent / "notation.toml"
 EVERYWHERE = "en"
 """The language whose words count in all others, too."""
 
-_ALIAS = re.compile(
-    r"<sub\s[^<>]{0,200}?\balias\s*=\s*[\"']([^\"'<>]{1,200})[\"'][^<>]{0,200}>[^<>]{0,200}</sub\s*>", re.IGNORECASE
-)
-_PARTING_TAG = re.compile(r"</?(?:br|p|s|li|div|break|speak|audio|mark)\b[^<>]{0,400}>", re.IGNORECASE)
-_TAG = re.compile(r"<!--.{0,2000}?-->|</?[^\W\d_][^<>]{0,400}>|<[?!][^<>]{0,400}>", re.DOTALL)
-_ENTITY = re.compile(r"&(?:#\d{1,7}|#[xX][0-9a-fA-F]{1,6}|[A-Za-z][A-Za-z0-9]{1,31});")
+_ALIAS = r"(?i)<sub\s[^<>]{0,200}?\balias\s*=\s*[\"']([^\"'<>]{1,200})[\"'][^<>]{0,200}>[^<>]{0,200}</sub\s*>"
+_PARTING_TAG = r"(?i)</?(?:br|p|s|li|div|break|speak|audio|mark)\b[^<>]{0,400}>"
+_TAG = r"(?s)<!--.{0,2000}?-->|</?[^\W\d_][^<>]{0,400}>|<[?!][^<>]{0,400}>"
+_ENTITY = r"&(?:#\d{1,7}|#[xX][0-9a-fA-F]{1,6}|[A-Za-z][A-Za-z0-9]{1,31});"
 _EMPHASIS = (
-    re.compile(r"(?<![\d*\\])(\*{1,3})(?=[^\s*])([^*\n]{1,1000})(?<=[^\s*])\1(?![\d*])"),
-    re.compile(r"(?<![\w\\])(_{1,3})(?=[^\s_])([^_\n]{1,1000})(?<=[^\s_])\1(?!\w)"),
-    re.compile(r"(?<![\w~])(~~|`)(?=[^\s~`])([^~`\n]{1,1000})(?<=[^\s~`])\1(?![\w~])"),
+    r"(?<![\d*\\])(\*{1,3})(?=[^\s*])([^*\n]{1,1000})(?<=[^\s*])\1(?![\d*])",
+    r"(?<![\w\\])(_{1,3})(?=[^\s_])([^_\n]{1,1000})(?<=[^\s_])\1(?!\w)",
+    r"(?<![\w~])(~~|`)(?=[^\s~`])([^~`\n]{1,1000})(?<=[^\s~`])\1(?![\w~])",
 )
-_BULLET = re.compile(r"^[ ]{0,8}(?:[*•>]|#{1,6})[ ]+", re.MULTILINE)
-_SQUARE = re.compile(r"(?<!\[)\[[^\[\]\n]{1,400}\](?!\])|［[^［］\n]{1,400}］")
-_ROUND = re.compile(r"[(（]([^()（）\n]{1,400})[)）]")
-_NAME = re.compile(
-    r"^[ ]*(?P<name>[^\W\d_][^\s:：()（）.!?;,\"„“«»]{0,30}\.?(?:[ ][^\s:：()（）.!?;,\"„“«»]{1,30}\.?){0,3})"
-    r"[ ]*(?:[(（][^()（）\n]{1,100}[)）][ ]*)?(?::(?=\s|$)|：)[ ]*(?:[(（][^()（）\n]{1,200}[)）])?",
-    re.MULTILINE,
+_BULLET = r"(?m)^[ ]{0,8}(?:[*•>]|#{1,6})[ ]+"
+_SQUARE = r"(?<!\[)\[[^\[\]\n]{1,400}\](?!\])|［[^［］\n]{1,400}］"
+_ROUND = r"[(（]([^()（）\n]{1,400})[)）]"
+_NAME = (
+    r"(?m)^[ ]*(?P<name>[^\W\d_][^\s:：()（）.!?;,\"„“«»]{0,30}\.?(?:[ ][^\s:：()（）.!?;,\"„“«»]{1,30}\.?){0,3})"
+    r"[ ]*(?:[(（][^()（）\n]{1,100}[)）][ ]*)?(?::(?=\s|$)|：)[ ]*(?:[(（][^()（）\n]{1,200}[)）])?"
 )
 
 
@@ -233,17 +231,17 @@ def spoken_part(text: str, language: str = "") -> SpokenPart:
     language : the voice of espeak-ng that reads it, such as ``en-us``; empty where it is not known.
     """
     notation = _notation_of(language.partition("-")[0].lower())
-    text = _TAG.sub("", _PARTING_TAG.sub(" ", _ALIAS.sub(r"\1", text)))
-    unspoken = [*_SQUARE.finditer(text)]
-    text = _BULLET.sub("", _without(text, unspoken))
+    text = re.sub(_TAG, "", re.sub(_PARTING_TAG, " ", re.sub(_ALIAS, r"\1", text)))
+    unspoken = [*re.finditer(_SQUARE, text)]
+    text = re.sub(_BULLET, "", _without(text, unspoken))
     for mark in _EMPHASIS:
-        text = mark.sub(r"\2", text)
+        text = re.sub(mark, r"\2", text)
     names = _names_in(text, notation)
     text = _without(text, names)
-    directions = [found for found in _ROUND.finditer(text) if _is_direction(found[1], notation)]
+    directions = [found for found in re.finditer(_ROUND, text) if _is_direction(found[1], notation)]
     text = _without(text, directions)
     left_out = (found[0].strip(" :：") for found in (*names, *unspoken, *directions))
-    return SpokenPart(_ENTITY.sub(lambda entity: html.unescape(entity[0]), text), tuple(left_out))
+    return SpokenPart(re.sub(_ENTITY, lambda entity: html.unescape(entity[0]), text), tuple(left_out))
 
 
 def _without(text: str, parts: Sequence[re.Match[str]]) -> str:
@@ -258,8 +256,8 @@ def _without(text: str, parts: Sequence[re.Match[str]]) -> str:
 def _names_in(text: str, notation: Notation) -> list[re.Match[str]]:
     """Return the speakers' names that begin the lines of a text, with the directions that follow them."""
     lines = [line for line in text.split("\n") if line.strip()]
-    is_dialogue = len(lines) > 1 and all(map(_NAME.match, lines))
-    return [found for found in _NAME.finditer(text) if _is_name(found["name"], notation, is_dialogue=is_dialogue)]
+    is_dialogue = len(lines) > 1 and all(re.match(_NAME, line) for line in lines)
+    return [found for found in re.finditer(_NAME, text) if _is_name(found["name"], notation, is_dialogue=is_dialogue)]
 
 
 def _is_name(words: str, notation: Notation, *, is_dialogue: bool) -> bool:

@@ -201,7 +201,7 @@ _CHARACTERS = "\u3007\u3400-\u4dbf\u4e00-\u9fff\uf900-\ufaff\U00020000-\U0003fff
 HANZI = f"[{_CHARACTERS}]"
 """A Chinese character, as a regular expression."""
 _MARKS = "。！？；：，、"
-_PART = re.compile(
+_PART = (  # compiled when it is first used, which takes longer than all else in this module
     rf"(?P<chinese>[{_CHARACTERS}]+)|(?P<number>{NUMBER.pattern})|[^\W\d{_CHARACTERS}][^\s{_CHARACTERS}{_MARKS}]*|\S"
 )
 
@@ -252,7 +252,7 @@ def read_characters(text: str) -> Iterator[PinyinWord | str]:
     ------
     VoiceError : pypinyin is not installed.
     """
-    for part in _PART.finditer(to_ascii_digits(text)):
+    for part in re.finditer(_PART, to_ascii_digits(text)):
         words = part.group()
         if part.lastgroup == "chinese":
             for character, syllable in zip(words, pinyin_of(words), strict=True):

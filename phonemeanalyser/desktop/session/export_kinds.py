@@ -7,8 +7,6 @@ from pathlib import Path
 
 from phonemeanalyser.desktop.language import tr_noop
 from phonemeanalyser.rendering.clip_options import USUAL_CLIP, ClipOptions
-from phonemeanalyser.reports.page import page_of
-from phonemeanalyser.reports.report import Report, ScoredPreset
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.batch.work import Act, Job, Made, Say, Work, fingerprint_of, say_nothing
 from phonemeengine.calibration.scores.corpus import read_recordings
@@ -227,6 +225,9 @@ class ReportWork:
     def _write(self, job: Job, _say: Say, progress: Progress) -> Made:
         with SoundReader(job.source, self.order.channel) as reader:
             duration = reader.duration
+        from phonemeanalyser.reports.page import page_of  # noqa: PLC0415 - only reports need pages, the start does not
+        from phonemeanalyser.reports.report import Report, ScoredPreset  # noqa: PLC0415 - as above
+
         utterances = read_recordings(job.source, channel=self.order.channel)
         progress(0.1)
         found = score(for_files(self.order.preset), utterances)

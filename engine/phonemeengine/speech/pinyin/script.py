@@ -14,9 +14,7 @@ from phonemeengine.text.pronunciation import ScriptWord
 from phonemeengine.text.syllables import SpokenSyllable
 
 _FOREIGN = rf"(?:(?!{HANZI})[^\W_])+"
-_PART = re.compile(
-    rf"(?P<hanzi>{HANZI}{{1,{LONGEST}}})|(?P<foreign>{_FOREIGN}(?:['’.?!;:,/@-]{_FOREIGN})*)|(?P<mark>.)", re.DOTALL
-)
+_PART = rf"(?s)(?P<hanzi>{HANZI}{{1,{LONGEST}}})|(?P<foreign>{_FOREIGN}(?:['’.?!;:,/@-]{_FOREIGN})*)|(?P<mark>.)"
 """Marks within a Latin word, such as an address, are part of it."""
 
 
@@ -106,7 +104,7 @@ def mark_after(clause: str, table: PinyinTable) -> WrittenMark | None:
 
 
 def _parts(text: str, table: PinyinTable, read: Read | None) -> Iterator[Written | str]:
-    for part in _PART.finditer(numbers_spelt(text)):
+    for part in re.finditer(_PART, numbers_spelt(text)):
         if part.lastgroup == "hanzi":
             yield from _syllables_of(part[0])
         elif part.lastgroup == "foreign":

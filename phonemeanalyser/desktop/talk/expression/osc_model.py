@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import cached_property
 from typing import Any
 
 from PySide6.QtCore import QObject, Qt, Signal
@@ -126,9 +127,7 @@ class OscModel(OscConnection):
 
     Attributes
     ----------
-    tables : what a receiver may be sent, by name, with what people call it: the table of the head, or that of each
-        set of movestates.
-    table : one of them.
+    table : which of the `tables` a receiver is sent.
     performer : says what the head says, with the movestates of the receiver.
     """
 
@@ -136,7 +135,6 @@ class OscModel(OscConnection):
 
     def __init__(self, clock: Callable[[], float]) -> None:
         super().__init__(USUAL_ADDRESS)
-        self.tables = {AS_THE_HEAD: tr("Same as the head"), **tables_by_movestates()}
         self.table = AS_THE_HEAD
         self._clock = clock
         self._head_table = load_table(USUAL_TABLE)
@@ -145,6 +143,14 @@ class OscModel(OscConnection):
         self._idle = self.performer.idle
         self._expression: Expression | None = None
         self._lost.connect(self._tell, Qt.ConnectionType.QueuedConnection)
+
+    @cached_property
+    def tables(self) -> dict[str, str]:
+        """What a receiver may be sent, by name, with what people call it: the head's table, or another one.
+
+        It is read when the panel is first shown, from the files of all tables.
+        """
+        return {AS_THE_HEAD: tr("Same as the head"), **tables_by_movestates()}
 
     @property
     def _mouth(self) -> OscMouth | None:
@@ -170,7 +176,7 @@ class OscModel(OscConnection):
 
     def set_table(self, name: str) -> None:
         """Send the movestates of another set."""
-        if name in self.tables and name != self.table:
+        if name != self.table and name in self.tables:
             self.table = name
             self._own_table = None if name == AS_THE_HEAD else load_table(name)
             self.follow(self._head_table, self._idle)
