@@ -38,7 +38,7 @@ from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import Layer, Network, StreamingLayer
 from phonemeengine.recognition.real_time import states_ahead
 from phonemeengine.recognition.scores import MOST_LOG_ODDS
-from phonemeengine.settings import ModelKind
+from phonemeengine.settings import SAMPLE_RATE, ModelKind
 
 ANCHORED, HEAD_ANCHORED = 0.5, 2.0
 """How much anchors count against the voice, for the small network and for the head of the real-time model, which has
@@ -53,6 +53,8 @@ LEAST_FRAMES = 3
 """A phoneme of which fewer frames are given is not touched."""
 WARPS = (1.0, 1.2, 1.35, 1.5)
 """Warps of the mel bands that are tried for a voice: that of an adult, and those of children and cartoon voices."""
+MOST_TRIED, SECONDS_TRIED = 30, 20.0
+"""Takes by which a warp is chosen, and seconds from the beginning of each, at most."""
 LEAST_GAIN = 0.1
 """By how much a warp must raise the mean log-likelihood of the labels, nats a frame, to be preferred."""
 LEAST_SECONDS = 2.0
@@ -182,12 +184,15 @@ def adapt_to_takes(
     """
     assert preset.model is not None
     live = with_real_time_model(preset)
-    sounds = [sound_of(utterance) for utterance in takes]
-    warp, examples = _best_warp(preset.model, takes, sounds)
+    warp = _best_warp(preset.model, takes)
+    examples: list[TrainingExample] = []
     states: list[Float32Array] = []
-    for k, sound in enumerate(sounds if live.model_kind is ModelKind.ENCODER else ()):
+    for k, utterance in enumerate(takes):
         report_progress(progress, 0.5 * k / len(takes))
-        states.append(states_in(live, whisper_mels_of(sound, warp)))
+        sound = sound_of(utterance)
+        examples.append(example_of(sound, utterance.labels, warp))
+        if live.model_kind is ModelKind.ENCODER:
+            states.append(states_in(live, whisper_mels_of(sound, warp)))
     report_progress(progress, 0.5)
     models = adapt(preset.model, examples, warp)
     if live.model_kind is ModelKind.ENCODER:
@@ -197,20 +202,21 @@ def adapt_to_takes(
     return (*(found for adapted in presets for found in (adapted, _with_more_silence(adapted))), set_silence(preset))
 
 
-def _best_warp(
-    model: Model, takes: Sequence[LabelledUtterance], sounds: Sequence[Float32Array]
-) -> tuple[float, list[TrainingExample]]:
-    """Return the warp of the mel bands with which a model understands a voice best, and the examples with it.
+def _best_warp(model: Model, takes: Sequence[LabelledUtterance]) -> float:
+    """Return the warp of the mel bands with which a model recognises a voice best, by a part of long takes.
 
     Speakers are normalised so before anything is learned from them (L. Lee and R. Rose, "A Frequency Warping Approach
     to Speaker Normalization", IEEE Trans. Speech and Audio Processing 6(1), 1998).
     """
-    found = []
-    for warp in WARPS:
-        examples = [example_of(sound, take.labels, warp) for sound, take in zip(sounds, takes, strict=True)]
-        found.append((warp, examples, _likelihood_of(model, examples) - LEAST_GAIN * (warp != 1)))
-    warp, examples, _ = max(found, key=lambda one: one[2])
-    return warp, examples
+    # spread over all takes, which may be sorted by phoneme; the features of each are measured once for each warp
+    chosen = takes[:: max(1, -(-len(takes) // MOST_TRIED))]
+    some = [(sound_of(take)[: int(SECONDS_TRIED * SAMPLE_RATE)], take) for take in chosen]
+
+    def score(warp: float) -> float:
+        examples = [example_of(sound, take.labels, warp) for sound, take in some]
+        return _likelihood_of(model, examples) - LEAST_GAIN * (warp != 1)
+
+    return max(WARPS, key=score)
 
 
 def _likelihood_of(model: Model, examples: Sequence[TrainingExample]) -> float:
