@@ -106,7 +106,7 @@ def run_batch(
     """Make the outputs of all files; return what became of each, in their order.
 
     A file that fails stops no other. Of each output, there is the whole or what was there before. A process that
-    dies is replaced, and what it worked on is tried once more. A script that uses several processes
+    dies is replaced, and what it worked on is tried again, each file alone. A script that uses several processes
     starts below ``if __name__ == "__main__":``, as `multiprocessing` requires.
 
     Parameters
@@ -340,18 +340,25 @@ class _Shift:
         suspects, self._suspects = self._suspects, []
         self._crew.restart()
         for job in (job for chunk in suspects for job in chunk):
-            sweep({job.target} if job.target is not None else set())
-            future = self._crew.give((job,))
-            self._given[future] = (job,)
-            while future in self._given:
-                self._wait()
-            if self._suspects:
-                self._suspects.clear()
-                self._crew.restart()
-                sweep({job.target} if job.target is not None else set())
+            # Twice, as the first death may have been another file's.
+            if not (self._survives(job) or self._survives(job)):
                 name = printable_name(job.source)
                 words = f"{name}: the process that worked on it died, twice; try it alone, or leave it out"
                 self._batch.take([failed(job, words)])
+
+    def _survives(self, job: Job) -> bool:
+        """Return whether the process that works on nothing but a file lives on; what came of the file is taken."""
+        sweep({job.target} if job.target is not None else set())
+        future = self._crew.give((job,))
+        self._given[future] = (job,)
+        while future in self._given:
+            self._wait()
+        if not self._suspects:
+            return True
+        self._suspects.clear()
+        self._crew.restart()
+        sweep({job.target} if job.target is not None else set())
+        return False
 
     def _end(self) -> None:
         """End all work; note what is complete."""
