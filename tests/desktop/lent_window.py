@@ -125,18 +125,20 @@ class WindowLender:
         self.studio = Studio(self._folder)
         desktop = self._make(self.settings, self.studio.model)
         _show(desktop.window)
-        for page in (CALIBRATE, TALK, ANALYSE) if self._whole else ():
-            desktop.window.show_page(page)
+        if self._whole:
+            desktop.window.show_page(CALIBRATE)
+            QtWidgets.QApplication.processEvents()
+            desktop.window.show_page(TALK)
+            wait_for(  # which is loaded when it is drawn, so not after a page without it has come
+                lambda: not (QtWidgets.QApplication.processEvents() or desktop.talking.face.states is None),
+                "the head",
+            )
+            desktop.window.show_page(ANALYSE)
             QtWidgets.QApplication.processEvents()
         for dock in desktop.window.findChildren(QtWidgets.QDockWidget):
             dock.raise_()  # it lays itself out when it is seen for the first time
             QtWidgets.QApplication.processEvents()
         self.studio.model.refresh_devices()
-        if self._whole:
-            wait_for(
-                lambda: not (QtWidgets.QApplication.processEvents() or desktop.talking.face.states is None),
-                "the head",
-            )
         desktop.window.reset_layout()
         QtWidgets.QApplication.processEvents()
         menus = desktop.window.menus.actions
