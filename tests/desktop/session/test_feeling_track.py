@@ -1,5 +1,7 @@
 """The feeling in a voice over time: of a file as the engine estimates it in one piece, and the same of live sound."""
 
+from threading import Event
+
 import numpy as np
 
 from phonemeanalyser.desktop.session.history import History
@@ -22,10 +24,11 @@ def of_all() -> np.ndarray:
 
 
 def test_a_file_and_live_sound_show_what_the_engine_estimates(qtbot, tmp_path):
-    track, path, wanted = FeelingTrack(), wav(tmp_path, SOUND), of_all()
-    track.open(lambda: SoundReader(path), 3.0)
+    track, path, wanted, may_open = FeelingTrack(), wav(tmp_path, SOUND), of_all(), Event()
+    track.open(lambda: SoundReader(path) if may_open.wait() else None, 3.0)
+    assert track.feelings_in(TimeSpan(1.0, 2.0)).at(150) is None
     with qtbot.waitSignal(track.changed):
-        assert track.feelings_in(TimeSpan(1.0, 2.0)).at(150) is None
+        may_open.set()
     np.testing.assert_allclose(track.feelings_in(TimeSpan(0.0, 3.0)).felt, wanted, atol=2e-3)
     known = track.feelings_in(TimeSpan(1.0, 2.0))
     assert (known.first, known.at(99), known.at(150).activation) == (100, None, known.felt[50, 0])

@@ -32,7 +32,7 @@ def test_they_equal_those_of_the_resampled_sound(sound):
 
 
 def test_silence_has_the_least_power():
-    assert np.all(whisper_log_mels(np.zeros((3, 2048), np.float32)) == -10)
+    np.testing.assert_allclose(whisper_log_mels(np.zeros((3, 2048), np.float32)), -10, rtol=1e-6)  # as libm rounds
 
 
 def test_a_warp_moves_a_tone_to_a_higher_band():
