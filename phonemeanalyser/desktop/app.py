@@ -27,7 +27,7 @@ from PySide6.QtGui import QFileOpenEvent, QIcon, QSurfaceFormat
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 from typing_extensions import override
 
-from phonemeanalyser.desktop import calibrate
+from phonemeanalyser.desktop import calibrate, talk
 from phonemeanalyser.desktop.language import SYSTEM, language_of, tr, use_language
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
@@ -35,7 +35,6 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
 from phonemeanalyser.desktop.settings import keep, read
 from phonemeanalyser.desktop.shutdown import SessionKeeper, end_promptly
-from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import DARK, LIGHT, Theme, apply_theme, system_theme
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeanalyser.desktop.window import MainWindow
@@ -121,15 +120,14 @@ class Desktop:
         self.session = Session(self.preset, open_device, microphone)
         self.demo: Path | None = None
         self._calibration: calibrate.CalibrationModel | None = None
-        self.talking = TalkModel(self.session)
+        self._talking: talk.TalkModel | None = None
         self.window = self._make_window()
-        self.window.talking_dialogs.restore()
         self._scheme = app.styleHints().colorSchemeChanged.connect(lambda _scheme: self._follow_system())
 
     def close(self) -> None:
         """Let sound, window and system go, each before what it listens to; unsaved changes are not asked for."""
         self._app.styleHints().colorSchemeChanged.disconnect(self._scheme)
-        models = [model for model in (self._calibration, self.talking) if model is not None]
+        models = [model for model in (self._calibration, self._talking) if model is not None]
         self.session.close()
         for model in models:
             model.close()
@@ -151,6 +149,15 @@ class Desktop:
             self._calibration = calibrate.CalibrationModel(self.session, self.preset)
             self.window.join_calibration(self._calibration)
         return self._calibration
+
+    @property
+    def talking(self) -> "talk.TalkModel":
+        """The head that talks; it is made when it is first asked for, which is after the first picture."""
+        if self._talking is None:
+            self._talking = talk.TalkModel(self.session)
+            self.window.join_talk(self._talking)
+            self.window.talk_parts.dialogs.restore()
+        return self._talking
 
     @property
     def theme(self) -> Theme:
@@ -183,12 +190,14 @@ class Desktop:
         apply_theme(self._app, self.theme)
         session, preset = self.session, self.preset
         window = MainWindow(
-            session, preset, self.theme, self._settings, lambda: self.calibration, self.talking, self.files
+            session, preset, self.theme, self._settings, lambda: self.calibration, lambda: self.talking, self.files
         )
         window.theme_asked.connect(self.set_theme)
         window.language_asked.connect(self.set_language)
         window.demo_asked.connect(self._show_demo)
         window.welcome.animation_asked.connect(self._animate)
+        if self._talking is not None:
+            window.join_talk(self._talking)
         if self._calibration is not None:
             window.join_calibration(self._calibration)
         return window
@@ -206,7 +215,7 @@ class Desktop:
 
     def _animate(self) -> None:
         """Lead through the Talk page with the recording that is open; without one of the user's own, ask for it."""
-        talk = self.window.talking_dialogs
+        talk = self.window.talk_parts.dialogs
         talk.page_asked.emit()
         if self.session.path in {None, self.demo}:
             self.window.dialogs.ask_sound()
@@ -320,7 +329,7 @@ def _data_folder() -> Path:
 
 def _begin(desktop: Desktop, file: Path | None, last_sound: Path, channel: Channel | None) -> None:
     """Go on with what the window need not wait for."""
-    _ = desktop.calibration  # which takes up the takes of the last start
+    _ = desktop.talking, desktop.calibration  # which take up what the last start left
     if file is None or not desktop.window.opens_as_sound(file):
         desktop.window.dialogs.open_sound(last_sound)
     if file is not None:

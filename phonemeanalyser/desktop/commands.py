@@ -2,11 +2,10 @@
 
 from collections.abc import Callable
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QSettings, Qt
-from PySide6.QtGui import QAction, QActionGroup, QGuiApplication
+from PySide6.QtGui import QAction, QGuiApplication
 from PySide6.QtWidgets import QMenu, QWidget
 
 from phonemeanalyser.desktop.analyse.lanes.label_dialogs import LabelDialogs, SelectionDialogs
@@ -17,25 +16,17 @@ from phonemeanalyser.desktop.dialogs import Dialogs
 from phonemeanalyser.desktop.docks import Docks
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import LANGUAGES, SYSTEM, tr, tr_noop
-from phonemeanalyser.desktop.menus import Command, Menus
+from phonemeanalyser.desktop.menus import Command, Commands, Menus
 from phonemeanalyser.desktop.session.preset import A, PresetModel
 from phonemeanalyser.desktop.session.selection import Selection
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.settings import read
-from phonemeanalyser.desktop.talk.dialogs import TalkDialogs
-from phonemeanalyser.desktop.talk.drivers.comparison import ComparisonMenu
-from phonemeanalyser.desktop.talk.head.head_view import LIGHT_STEP, HeadView
-from phonemeanalyser.desktop.talk.model import TalkModel
-from phonemeanalyser.desktop.talk.pictures import PICTURE_RATES
 from phonemeanalyser.desktop.welcome import WelcomeCards
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
-from phonemeengine.mouth.files.io import FaceFiles
-from phonemeengine.mouth.head import Framing, Head
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
-Commands = tuple[Command | None, ...]
 PRESET_COMMANDS = (tr_noop("Save Preset"), tr_noop("Save Preset As…"), tr_noop("Preset Notes…"))
 PAGES = (tr_noop("Analyse"), tr_noop("Calibrate"), tr_noop("Talk"))
 
@@ -207,6 +198,7 @@ def connect_cards(
 
     cards.microphone_asked.connect(listen)
     cards.calibration_asked.connect(calibrate)
+    session.transport_changed.connect(cards.hide)  # something else was begun
 
 
 def record_commands(session: Session, dialogs: Dialogs) -> Commands:
@@ -251,100 +243,8 @@ def allow_second(menus: Menus, preset: PresetModel) -> None:
     menus.actions["Clear B"].setEnabled(preset.other is not None)
 
 
-def talk_commands(talking: TalkModel, dialogs: TalkDialogs) -> Commands:
-    """Return what belongs to the head: its text, its pictures, its face and what is saved of it."""
-    texts = talking.text
-    return (
-        Command(tr_noop("Align Text with Recording"), "Ctrl+Shift+Return", texts.align),
-        Command(tr_noop("Align Even If the Text Seems Different"), "", texts.align_anyway),
-        Command(tr_noop("Speak Text"), "Ctrl+Return", texts.say),
-        None,
-        Command(tr_noop("Open Script…"), "", dialogs.ask_script),
-        Command(tr_noop("Load Lexicon…"), "", dialogs.ask_lexicon),
-        Command(tr_noop("Remove Lexicon"), "", partial(texts.set_lexicon, None)),
-        Command(tr_noop("Read Notation Literally"), "", texts.set_literal, checkable=True),
-        None,
-        Command(tr_noop("Next Picture (Right)"), "", partial(talking.pictures.step, 1)),
-        Command(tr_noop("Previous Picture (Left)"), "", partial(talking.pictures.step, -1)),
-        None,
-        Command(tr_noop("Rename Word or Phone (F2)"), "", texts.edits.ask_rename),
-        Command(tr_noop("Insert Word (Ins)"), "", texts.edits.ask_insert),
-        Command(tr_noop("Split Word or Phone at Cursor (Enter)"), "", texts.edits.split),
-        Command(tr_noop("Delete Word or Phone (Del)"), "", texts.edits.delete),
-        Command(tr_noop("Realign This Word"), "", texts.edits.realign),
-        None,
-        Command(tr_noop("Next Poor Match"), "", partial(texts.edits.show_poor, 1)),
-        Command(tr_noop("Previous Poor Match"), "", partial(texts.edits.show_poor, -1)),
-        Command(tr_noop("Edit Keys"), "", talking.keys.set_open, checkable=True),
-        Command(tr_noop("Save Keys"), "", talking.keys.save),
-        None,
-        Command(tr_noop("Save Text…"), "", dialogs.ask_save_text),
-        Command(tr_noop("Save Words and Phones…"), "", dialogs.ask_save_words),
-        Command(tr_noop("Save Spoken Text as Audio File…"), "", dialogs.ask_save_speech),
-    )
-
-
-def face_commands(talking: TalkModel, dialogs: TalkDialogs) -> Commands:
-    """Return what chooses a face, what moves it, and how much of it is seen."""
-    heads = {Head.WOMAN: tr_noop("Show Woman"), Head.MAN: tr_noop("Show Man")}
-    framings = {
-        Framing.MOUTH: tr_noop("Look at Mouth"),
-        Framing.FACE: tr_noop("Look at Face"),
-        Framing.BUST: tr_noop("Look at Bust"),
-    }
-    return (
-        *(Command(words, "", partial(talking.face.load, FaceFiles(Path(head)))) for head, words in heads.items()),
-        Command(tr_noop("Load Face…"), "", dialogs.ask_mesh),
-        Command(tr_noop("Map Shapes…"), "", dialogs.ask_mapping),
-        None,
-        Command(tr_noop("Load Mouth Table…"), "", dialogs.ask_table),
-        Command(tr_noop("Load Face Capture…"), "", dialogs.ask_expression),
-        Command(tr_noop("Open Recorded Faces…"), "", dialogs.ask_performance),
-        Command(tr_noop("Open Face Network…"), "", dialogs.ask_network),
-        None,
-        *(
-            Command(words, "", partial(dialogs.look, partial(HeadView.go_home, framing=framing)))
-            for framing, words in framings.items()
-        ),
-        Command(
-            tr_noop("Wireframe (W)"),
-            "",
-            lambda on: dialogs.look(partial(HeadView.look, wireframe=on)),
-            checkable=True,
-        ),
-        Command(
-            tr_noop("Move Light Left (,)"), "", partial(dialogs.look, partial(HeadView.move_light, angle=-LIGHT_STEP))
-        ),
-        Command(
-            tr_noop("Move Light Right (.)"), "", partial(dialogs.look, partial(HeadView.move_light, angle=LIGHT_STEP))
-        ),
-    )
-
-
 KEYS_OF_TALK = ("Align Text with Recording", "Speak Text")
 """The commands whose keys count on the Talk page only."""
-
-
-def add_talk_menu(menus: Menus, talking: TalkModel, dialogs: TalkDialogs, window: QWidget) -> None:
-    """Add the menu of the head."""
-    menu = menus.add(tr("&Talk"), *talk_commands(talking, dialogs), menus.actions["Export…"], None)
-    menus.add(tr("Face"), *face_commands(talking, dialogs), within=menu)
-    rates = QActionGroup(window)
-    for rate in PICTURE_RATES:
-        action = rates.addAction(tr("{rate}/s").format(rate=rate))
-        action.setCheckable(True)
-        action.setData(rate)
-    rates.triggered.connect(lambda action: talking.pictures.set_rate(action.data()))
-    menus.add(tr("Pictures per Second"), *rates.actions(), within=menu)
-
-    def show_looks() -> None:
-        menus.show_checked("Wireframe (W)", dialogs.wireframe)
-        for action in rates.actions():
-            action.setChecked(action.data() == talking.pictures.rate)
-
-    menu.aboutToShow.connect(partial(show_talk, menus, talking))
-    menu.aboutToShow.connect(show_looks)
-    menu.addMenu(ComparisonMenu(talking.text.drivers, talking.comparison, window))
 
 
 def lend_keys(menus: Menus, page: str, *, is_used: bool) -> None:
@@ -355,20 +255,9 @@ def lend_keys(menus: Menus, page: str, *, is_used: bool) -> None:
     menus.lend_key("Stop", lent=is_used)
     menus.lend_key("Select All", lent=page != "Analyse")
     for text in KEYS_OF_TALK:
-        menus.lend_key(text, lent=page != "Talk")
+        if text in menus.actions:  # the menu is filled after the first picture
+            menus.lend_key(text, lent=page != "Talk")
     menus.lend_keys_of_views(lent=page != "Analyse")
-
-
-def show_talk(menus: Menus, talking: TalkModel) -> None:
-    """Allow what can be done with the text now, and show what is switched on."""
-    texts = talking.text
-    menus.show_checked("Edit Keys", talking.keys.open)
-    menus.show_checked("Read Notation Literally", texts.literal)
-    menus.actions["Remove Lexicon"].setEnabled(texts.lexicon_path is not None)
-    menus.actions["Save Words and Phones…"].setEnabled(texts.edits.possible)
-    menus.actions["Save Keys"].setEnabled(talking.keys.has_unsaved_changes)
-    for text in ("Next Poor Match", "Previous Poor Match"):
-        menus.actions[text].setEnabled(bool(texts.edits.poor))
 
 
 def help_commands(*acts: Callable[[], object]) -> Commands:

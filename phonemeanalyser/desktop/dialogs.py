@@ -1,9 +1,10 @@
 """What the user is asked about sounds, recordings and variables."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from html import escape
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QFileSystemWatcher, QObject, QSettings, Signal
 from PySide6.QtWidgets import QMessageBox, QWidget
@@ -19,7 +20,6 @@ from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.settings import read_paths, remember
-from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.tasks import tried
 from phonemeanalyser.desktop.widgets.builders import answer_of, input_dialog
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, audio_filters
@@ -40,6 +40,10 @@ LABEL_FILTERS = (
 
 class Dialogs(QObject):
     """Asks, and passes the answers to the models; what is refused is said, and leaves everything as it was.
+
+    Parameters
+    ----------
+    face_in_use : gives the `FaceInUse` by which an export is as the head is seen.
 
     Signals
     -------
@@ -63,12 +67,12 @@ class Dialogs(QObject):
     action_offered = Signal(str, str, object)
 
     def __init__(
-        self, window: QWidget, session: Session, preset: PresetModel, settings: QSettings, talking: TalkModel,
-        files: FileAsker,
+        self, window: QWidget, session: Session, preset: PresetModel, settings: QSettings,
+        face_in_use: Callable[[], Any], files: FileAsker,
     ) -> None:  # fmt: skip
         super().__init__(window)
         self._window, self._session, self._preset = window, session, preset
-        self._settings, self._files, self._talking = settings, files, talking
+        self._settings, self._files, self._face_in_use = settings, files, face_in_use
         self.presets = PresetDialogs(window, session, preset, settings, files)
         self.curves = CurveDialogs(window, session, files)
         for mine, theirs in (
@@ -174,7 +178,7 @@ class Dialogs(QObject):
         path = self._session.path
         chosen = list(sounds) or ([] if path is None else [path])
         preset, channel = self._preset.in_force, self._session.channel
-        face = self._talking.in_use
+        face = self._face_in_use()
         if sounds:
             face = replace(face, speech=None)
         ExportDialog(

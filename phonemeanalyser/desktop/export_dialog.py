@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6 import QtWidgets
 from PySide6.QtCore import QSettings, Qt
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QFontDatabase
+from PySide6.QtGui import QCloseEvent, QFontDatabase
 from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import tr_engine
@@ -18,7 +18,7 @@ from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrd
 from phonemeanalyser.desktop.session.export_queue import ExportJob, ExportQueue, ExportState, in_the_way, sounds_in
 from phonemeanalyser.desktop.settings import keep
 from phonemeanalyser.desktop.widgets.builders import column, label, named, row
-from phonemeanalyser.desktop.widgets.file_asker import FileAsker, audio_filters
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker, FileDrops, audio_filters
 from phonemeanalyser.desktop.widgets.plot_menu import let_copy
 from phonemeanalyser.desktop.widgets.preset_picker import Sections
 from phonemeengine.conversion.work import targets_of
@@ -76,7 +76,8 @@ class ExportDialog(QtWidgets.QDialog):
         self.queue = ExportQueue()
         self.setWindowTitle(tr("Export"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setAcceptDrops(True)
+        drops = FileDrops(self, lambda: not self.queue.busy)
+        drops.dropped.connect(self.add)
         self.resize(*SIZE)
         self.choices = ExportChoices(preset, channel, sounds, settings, presets, self._face, self._asker)
         self._make_files()
@@ -283,15 +284,6 @@ class ExportDialog(QtWidgets.QDialog):
         return order
 
     # -- Qt's events --------------------------------------------------------------------------------------
-
-    @override
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if event.mimeData().hasUrls() and not self.queue.busy:
-            event.acceptProposedAction()
-
-    @override
-    def dropEvent(self, event: QDropEvent) -> None:
-        self.add([Path(url.toLocalFile()) for url in event.mimeData().urls() if url.isLocalFile()])
 
     @override
     def closeEvent(self, event: QCloseEvent) -> None:

@@ -39,6 +39,9 @@ class Command:
         return len(self.key.removeprefix("Shift+")) == 1 or edits
 
 
+Commands = tuple[Command | None, ...]
+
+
 class Menus:
     """The menus of a window.
 
@@ -57,6 +60,11 @@ class Menus:
     def add(self, title: str, *commands: Command | QAction | None, within: QMenu | None = None) -> QMenu:
         """Add a menu, maybe within another one; None is a line between groups of seven entries at most."""
         menu = self._menus[title] = (within or self._window.menuBar()).addMenu(title)
+        self.fill(menu, *commands)
+        return menu
+
+    def fill(self, menu: QMenu, *commands: Command | QAction | None) -> None:
+        """Add entries to a menu; None is a line between groups."""
         for command in commands:
             if command is None:
                 menu.addSeparator()
@@ -74,7 +82,6 @@ class Menus:
             self._keys[command.text] = command.key
             if command.of_views:
                 self._of_views.append(command.text)
-        return menu
 
     def add_edit(self, stack: QUndoStack) -> None:
         """Add the menu of undo and redo."""

@@ -4,14 +4,13 @@ import time
 
 from PySide6.QtCore import QObject, Qt, QTimer
 
-from phonemeanalyser.desktop import calibrate
+from phonemeanalyser.desktop import calibrate, talk
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.analyse.recognition.filter_column import LookAheadSlider
 from phonemeanalyser.desktop.analyse.status_line import StatusLine
 from phonemeanalyser.desktop.analyse.transport.transport import Transport
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
-from phonemeanalyser.desktop.talk.page import Heads
 from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack
 
 FRAME_MS = 16
@@ -28,6 +27,7 @@ class RedrawLoop(QObject):
     frozen : whether the views are held still while sound goes on.
     dirty : whether the analysis must be drawn anew though nothing has arrived.
     n_ticks : pictures so far.
+    heads : are moved; None before there are any.
     """
 
     def __init__(
@@ -37,7 +37,6 @@ class RedrawLoop(QObject):
         pages: PageStack,
         analysis: AnalysisPage,
         calibration: "LazyPage[calibrate.CalibrationPage]",
-        heads: Heads,
         transport: Transport,
         status: StatusLine,
         look_ahead: LookAheadSlider,
@@ -50,7 +49,7 @@ class RedrawLoop(QObject):
         self._pages = pages
         self._analysis = analysis
         self._calibration = calibration
-        self._heads = heads
+        self.heads: talk.Heads | None = None
         self._transport = transport
         self._status = status
         self._look_ahead = look_ahead
@@ -65,7 +64,7 @@ class RedrawLoop(QObject):
         if self._session.poll():
             self.dirty = True
             known_at = time.monotonic() - self._session.microphone.listener.known_for
-        self._heads.move(frozen=self.frozen)
+        self._move_heads()
         self.n_ticks += 1
         slow = self.n_ticks % SLOW == 0
         self.dirty |= self._session.microphone.silent != self._analysis.phoneme.input_silent
@@ -80,7 +79,7 @@ class RedrawLoop(QObject):
 
     def refresh_all(self) -> None:
         """Draw everything as it is now."""
-        self._heads.move(frozen=self.frozen)
+        self._move_heads()
         self._transport.refresh()
         self._analysis.refresh_fast()
         self._analysis.refresh_slow()
@@ -89,6 +88,10 @@ class RedrawLoop(QObject):
         """Draw the status line, and the latency of the microphone."""
         self._status.refresh(frozen=self.frozen)
         self._look_ahead.show_latency(self._status.without_look_ahead)
+
+    def _move_heads(self) -> None:
+        if self.heads is not None:
+            self.heads.move(frozen=self.frozen)
 
     def _draw_analysis(self, *, slow: bool, known_at: float | None) -> None:
         self._analysis.refresh_fast()

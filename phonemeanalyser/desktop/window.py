@@ -5,11 +5,12 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QSettings, QSize, Qt, Signal
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QToolBar, QWidget
+from PySide6.QtGui import QCloseEvent, QResizeEvent, QShowEvent
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QSizePolicy, QToolBar, QWidget
 from typing_extensions import override
 
 from phonemeanalyser.desktop import calibrate, commands
+from phonemeanalyser.desktop import talk as talk_package
 from phonemeanalyser.desktop.analyse.lanes.label_dialogs import LabelDialogs, SelectionDialogs
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.analyse.recognition.filter_column import FilterColumn
@@ -29,16 +30,12 @@ from phonemeanalyser.desktop.session.selection import Selection
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.state import WindowState
-from phonemeanalyser.desktop.talk.dialogs import TalkDialogs
-from phonemeanalyser.desktop.talk.head.head_view import HeadView
-from phonemeanalyser.desktop.talk.model import TalkModel
-from phonemeanalyser.desktop.talk.page import Heads, TalkPage
-from phonemeanalyser.desktop.talk.words.spoken_lanes import spoken_lanes
 from phonemeanalyser.desktop.theme import Theme, style_sheet
 from phonemeanalyser.desktop.welcome import WelcomeCards
 from phonemeanalyser.desktop.what_is_this import WhatIsThis
 from phonemeanalyser.desktop.widgets.banner import Banner
-from phonemeanalyser.desktop.widgets.file_asker import FileAsker
+from phonemeanalyser.desktop.widgets.builders import column
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker, FileDrops
 from phonemeanalyser.desktop.widgets.key_filters import ControlKeys, FocusReturn, settle_focus
 from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack, PageSwitch
 from phonemeengine.audio.files import is_sound
@@ -58,7 +55,7 @@ class MainWindow(QMainWindow):
 
     Parameters
     ----------
-    calibration : makes the model of the calibration, if there is none yet, and has it joined to the window.
+    calibration, talking : make the model of a page, if there is none yet, and have it joined to the window.
     files : asks the user for files.
 
     Signals
@@ -74,22 +71,23 @@ class MainWindow(QMainWindow):
 
     def __init__(
         self, session: Session, preset: PresetModel, theme: Theme, settings: QSettings,
-        calibration: "Callable[[], calibrate.CalibrationModel]", talking: TalkModel, files: FileAsker,
+        calibration: "Callable[[], calibrate.CalibrationModel]", talking: "Callable[[], talk_package.TalkModel]",
+        files: FileAsker,
     ) -> None:  # fmt: skip
         super().__init__()
         self.theme, self.files = theme, files
-        self.dialogs = Dialogs(self, session, preset, settings, talking, files)
+        self.dialogs = Dialogs(self, session, preset, settings, lambda: talking().in_use, files)
         self.selection = Selection(session)
         self.selection_dialogs = SelectionDialogs(self, self.selection, session, files)
         self.label_dialogs = LabelDialogs(self, session, files)
         self.menus = Menus(self)
-        self.talking_dialogs = TalkDialogs(self, talking, settings, files)
         self.rule_dialogs = RuleDialogs(self, session.rules)
         self._docks = Docks(self, NARROW)
-        self._ask_calibration = calibration
+        self._ask_calibration, self._ask_talking = calibration, talking
         self._calibration: calibrate.CalibrationModel | None = None
         self._calibration_dialogs: calibrate.CalibrationDialogs | None = None
-        self._session, self._talking, self._preset, self._settings = session, talking, preset, settings
+        self._talk_parts: talk_package.TalkParts | None = None
+        self._session, self._preset, self._settings = session, preset, settings
         self._retired = self._closed = False
         self._make_views()
         self._lay_out()
@@ -110,10 +108,9 @@ class MainWindow(QMainWindow):
         self.recogniser = RecogniserChoice(self._preset)
         self.preset_box = PresetBox(self._preset, self.dialogs.presets.sections, self.files)
         self.status = StatusLine(session, self._preset, theme)
-        self.heads = Heads(self._talking)
-        self.head = self.heads.add("dock", HeadView(self._talking.head, theme))
-        self.head.menu.save_asked.connect(self.dialogs.ask_save_picture)
-        self.head.setMinimumHeight(HEAD_HEIGHT)
+        self._head_place = QWidget()
+        self._head_place.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self._head_place.setMinimumHeight(HEAD_HEIGHT)
         self.switch = PageSwitch(tuple(map(tr, commands.PAGES)))
         self.pages = PageStack()
         self.banner = Banner(theme, self, self.pages, self.analysis.waveform)
@@ -125,7 +122,7 @@ class MainWindow(QMainWindow):
         self._late_calibration = LazyPage(self.pages, self._make_calibration_page)
         self._late_talk = LazyPage(self.pages, self._make_talk_page)
         self.redraw = RedrawLoop(
-            self, session, self.pages, self.analysis, self._late_calibration, self.heads, self.transport, self.status,
+            self, session, self.pages, self.analysis, self._late_calibration, self.transport, self.status,
             self.filters.look_ahead,
         )  # fmt: skip
 
@@ -138,18 +135,44 @@ class MainWindow(QMainWindow):
         model.guide.changed.connect(self._lend_keys)
         self._calibration_dialogs.restore()
 
+    def join_talk(self, model: "talk_package.TalkModel") -> None:
+        """Have heads say what is playing, and fill the menu of the Talk page."""
+        parts = self._talk_parts = talk_package.TalkParts(
+            self, model, self.theme, self._settings, self.files, self.menus, self._talk_menu
+        )
+        self.redraw.heads = parts.heads
+        head = parts.add_head("dock")
+        head.menu.save_asked.connect(self.dialogs.ask_save_picture)
+        column(head, on=self._head_place, spacing=0)
+        parts.dialogs.page_asked.connect(lambda: self.show_page(TALK))
+        for told in (model.text.changed, model.keys.opened):
+            told.connect(self._show_spoken)
+        model.text.speech_saved.connect(self.dialogs.offer_speech)
+        model.text.info.connect(self.banner.show_info)
+        model.error.connect(self.banner.show_error)
+        self._show_spoken()
+        self._lend_keys()
+
+    @property
+    def talk_parts(self) -> "talk_package.TalkParts":
+        """The dialogs and heads of the Talk page."""
+        if self._talk_parts is None:
+            self._ask_talking()
+        assert self._talk_parts is not None
+        return self._talk_parts
+
     @property
     def calibration(self) -> "calibrate.CalibrationPage":
         """The page of the calibration."""
         return self._late_calibration.get()
 
     @property
-    def talk(self) -> TalkPage:
+    def talk(self) -> "talk_package.TalkPage":
         """The page of the head."""
         return self._late_talk.get()
 
     def _make_calibration_page(self) -> "calibrate.CalibrationPage":
-        head = self.heads.add("guide", HeadView(self._talking.head, self.theme))
+        head = self.talk_parts.add_head("guide")
         presets = self.dialogs.presets
         page = calibrate.CalibrationPage(self._ask_calibration(), head, presets.picker_of_other(), self.theme)
         assert self._calibration_dialogs is not None
@@ -164,10 +187,8 @@ class MainWindow(QMainWindow):
         self.installEventFilter(page.keys)
         return page
 
-    def _make_talk_page(self) -> TalkPage:
-        page = TalkPage(self._talking, self.theme)
-        self.talking_dialogs.join(page)
-        self.heads.add("page", page.head, page)
+    def _make_talk_page(self) -> "talk_package.TalkPage":
+        page = self.talk_parts.make_page()
         page.export_asked.connect(self.dialogs.show_export)
         page.picture_asked.connect(self.dialogs.ask_save_picture)
         settle_focus(page)
@@ -193,7 +214,9 @@ class MainWindow(QMainWindow):
         widths = self._add_docks()
         self.statusBar().addWidget(self.status.left, 1)
         self.statusBar().addPermanentWidget(self.status.right)
-        self.setAcceptDrops(True)
+        drops = FileDrops(self)
+        drops.dropped.connect(self.open_files)
+        drops.refused.connect(self.dialogs.rejected)
         self.setStyleSheet(style_sheet(self.theme))  # widths are measured in it
         self._docks.prefer(widths)
         self.resize(USUAL_SIZE.boundedTo(self.screen().availableSize() - DECORATIONS))
@@ -207,7 +230,7 @@ class MainWindow(QMainWindow):
         self.analysis.variable.looked_for.connect(lambda: docks.bring_forward(variable))
         rules = docks.add_behind(self._thresholds, tr_noop("Rules"), self.analysis.rules)
         rules.visibilityChanged.connect(self.analysis.rules.set_seen)
-        docks.add(tr_noop("Head"), left, self.head).hide()
+        docks.add(tr_noop("Head"), left, self._head_place).hide()
         return {self._filters: FILTERS_WIDTH, phoneme: PHONEME_WIDTH, self._thresholds: PHONEME_WIDTH}
 
     def _make_menus(self) -> None:
@@ -227,10 +250,10 @@ class MainWindow(QMainWindow):
         freeze = Command(tr_noop("Freeze Views"), "F", self.set_frozen, checkable=True)
         mark = self.analysis.averaged.measure.toggle
         add(tr("&Analysis"), freeze, *commands.analysis_commands(session, preset, dialogs, mark, box.choose_other))
-        commands.add_talk_menu(self.menus, self._talking, self.talking_dialogs, self)
+        self._talk_menu = self.menus.add(tr("&Talk"))
         self._make_view_menu()
         pages = self.show_shortcuts, self.what_is_this.begin, self.show_manual, self.welcome.show_cards
-        ends = self.talking_dialogs.show_tour, lambda: LicencesDialog(self).open(), dialogs.show_about
+        ends = self._show_tour, lambda: LicencesDialog(self).open(), dialogs.show_about
         add(tr("&Help"), *commands.help_commands(*pages, *ends))
 
     def _use_as_take(self, phoneme: Phoneme) -> None:
@@ -251,10 +274,6 @@ class MainWindow(QMainWindow):
         session, preset, dialogs = self._session, self._preset, self.dialogs
         self.transport.open_asked.connect(dialogs.ask_sound)
         self.transport.folder_asked.connect(dialogs.ask_recordings_folder)
-        self.talking_dialogs.page_asked.connect(lambda: self.show_page(TALK))
-        for told in (self._talking.text.changed, self._talking.keys.opened):
-            told.connect(self._show_spoken)
-        self._talking.text.speech_saved.connect(dialogs.offer_speech)
         session.may_leave = self._may_leave_sound
         self.label_dialogs.join(self.analysis.file.view)
         session.microphone.recorded.connect(dialogs.offer_recording)
@@ -270,9 +289,9 @@ class MainWindow(QMainWindow):
         self.status.chips.open_again_asked.connect(dialogs.open_again)
         self.status.chips.go_on_asked.connect(lambda: self.set_frozen(False))
         self.switch.chosen.connect(self.show_page)
-        for part in (session.labels, session.microphone, session.writer, self._talking.text, self.selection, dialogs):
+        for part in (session.labels, session.microphone, session.writer, self.selection, dialogs):
             part.info.connect(self.banner.show_info)
-        for signal in (self._talking.error, session.error, self.selection.error, dialogs.rejected, preset.rejected):
+        for signal in (session.error, self.selection.error, dialogs.rejected, preset.rejected):
             signal.connect(self.banner.show_error)
         self.analysis.averaged.measure.toggled.connect(lambda _on: self._lend_keys())
         self.what_is_this.page_asked.connect(self.show_manual)
@@ -283,20 +302,14 @@ class MainWindow(QMainWindow):
             signal.connect(self._show_state)
         preset.file_changed.connect(self._show_names)
         commands.connect_score(self.analysis.score, self.show_page, self.label_dialogs)
-        self._connect_cards()
+        commands.connect_cards(self.welcome, session, self.show_page, self._begin_calibration)
+        self.welcome.demo_asked.connect(self.demo_asked)
+        self._focus.clicked.connect(self.welcome.leave_for)
         self.installEventFilter(ControlKeys(self))
         self.show_page(ANALYSE)
         settle_focus(self)
-        for show in (self._show_names, self._show_state, self._show_spoken):
-            show()
-
-    def _connect_cards(self) -> None:
-        """Have the cards of the first start lead somewhere, and go when the user begins something else."""
-        cards = self.welcome
-        cards.demo_asked.connect(self.demo_asked)
-        commands.connect_cards(cards, self._session, self.show_page, self._begin_calibration)
-        self._session.transport_changed.connect(cards.hide)
-        self._focus.clicked.connect(cards.leave_for)
+        self._show_names()
+        self._show_state()
 
     def show_page(self, number: int) -> None:
         """Show a page; the docks belong to the first one, and the cards of the first start go."""
@@ -347,7 +360,6 @@ class MainWindow(QMainWindow):
         self._fit_docks()
 
     def _draw_rewritten(self, _column: int) -> None:
-        """Draw what was analysed anew."""
         self.redraw.dirty = True
 
     def _show_names(self) -> None:
@@ -376,8 +388,10 @@ class MainWindow(QMainWindow):
         dialog.show()
 
     def _show_spoken(self) -> None:
-        self.analysis.file.view.show_spoken(spoken_lanes(self._talking.text))
-        commands.show_talk(self.menus, self._talking)
+        self.analysis.file.view.show_spoken(self.talk_parts.show())
+
+    def _show_tour(self) -> None:
+        self.talk_parts.dialogs.show_tour()
 
     def _begin_calibration(self) -> None:
         self.show_page(CALIBRATE)
@@ -391,11 +405,11 @@ class MainWindow(QMainWindow):
 
     def opens_as_sound(self, path: Path) -> bool:
         """Return whether a file is taken for a sound."""
-        return not self.talking_dialogs.opens(path) and self.dialogs.opens_as_sound(path)
+        return not self.talk_parts.dialogs.opens(path) and self.dialogs.opens_as_sound(path)
 
     def open_files(self, paths: list[Path]) -> None:
         """Open a sound, a preset, a curve, a mesh with its movestates; several sounds are offered for export."""
-        talking = self.talking_dialogs
+        talking = self.talk_parts.dialogs
         if faces := [path for path in paths if talking.opens(path)]:
             talking.open(faces)  # meshes and movestates as one face
             self.show_page(TALK)
@@ -405,21 +419,6 @@ class MainWindow(QMainWindow):
         for path in paths:
             if not talking.opens(path):
                 self.dialogs.open_any(path)
-
-    @override
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if event.mimeData().hasUrls():
-            event.acceptProposedAction()
-
-    @override
-    def dropEvent(self, event: QDropEvent) -> None:
-        event.acceptProposedAction()
-        urls = event.mimeData().urls()
-        self.open_files([Path(url.toLocalFile()) for url in urls if url.isLocalFile()])
-        for url in urls:
-            if not url.isLocalFile():
-                sentence = tr("{url} cannot be opened, since only files on this computer can. Save it here first.")
-                self.dialogs.rejected.emit(sentence.format(url=url.toString()))
 
     @override
     def showEvent(self, event: QShowEvent) -> None:
@@ -463,7 +462,8 @@ class MainWindow(QMainWindow):
 
     def _may_leave_sound(self) -> bool:
         """Ask what is to become of words and labels that are in no file; says whether to go on."""
-        return self.talking_dialogs.may_leave_words() and self.label_dialogs.may_leave()
+        parts = self._talk_parts
+        return (parts is None or parts.dialogs.may_leave_words()) and self.label_dialogs.may_leave()
 
     def save_state(self) -> None:
         """Keep layout and choices for the next start."""
@@ -471,7 +471,8 @@ class MainWindow(QMainWindow):
             self.state.save_docks(stacked=self._docks.stacked)
         if self._calibration_dialogs is not None:
             self._calibration_dialogs.save()
-        self.talking_dialogs.save()
+        if self._talk_parts is not None:
+            self._talk_parts.dialogs.save()
         self.state.save(self._session, self.analysis)
 
     def show_last_page(self) -> None:
@@ -487,11 +488,13 @@ class MainWindow(QMainWindow):
         self.set_frozen(other.redraw.frozen)
         if other._late_talk.made is not None:
             self._late_talk.get()
-        self.heads.copy_view_from(other.heads)
+        if other._talk_parts is not None:
+            self.talk_parts.heads.copy_view_from(other._talk_parts.heads)
 
     def close_without_asking(self) -> None:
         """Close without asking, since another window takes over."""
         self._retired = True
-        self.heads.release_gl()
+        if self._talk_parts is not None:
+            self._talk_parts.heads.release_gl()
         self.close()
         self.deleteLater()

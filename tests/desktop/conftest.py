@@ -166,7 +166,9 @@ def ended(session: Session) -> bool:
 
 def begin(app: QApplication, settings: QSettings, microphone: Microphone) -> Desktop:
     """Begin the program, without a sound card and with the rules of the thesis."""
-    return Desktop(app, settings, lambda _n: ClockOutput(), microphone, PresetModel(THESIS_PRESET))
+    desktop = Desktop(app, settings, lambda _n: ClockOutput(), microphone, PresetModel(THESIS_PRESET))
+    _ = desktop.talking  # which the program makes after the first picture
+    return desktop
 
 
 def forget_windows(app: QApplication) -> None:

@@ -9,8 +9,8 @@ import pyqtgraph as pg
 import soundfile
 from numpy.typing import NDArray
 from PySide6 import QtWidgets
-from PySide6.QtCore import QPoint, QPointF, Qt, QTimer
-from PySide6.QtGui import QColor, QImage, QWheelEvent, qGray
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
+from PySide6.QtGui import QColor, QDragEnterEvent, QDropEvent, QImage, QWheelEvent, qGray
 from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
@@ -275,3 +275,20 @@ def lies_behind(widget: QtWidgets.QWidget | None) -> bool:
     while widget is not None and not isinstance(widget, QtWidgets.QDockWidget):
         widget = widget.parentWidget()
     return widget is not None and widget.geometry().right() < 0
+
+
+def drop(widget: QtWidgets.QWidget, *paths: Path) -> bool:
+    """Drag files from elsewhere and drop them onto a widget; says whether they were welcome."""
+    mime = QMimeData()
+    mime.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
+    return drop_data(widget, mime)
+
+
+def drop_data(widget: QtWidgets.QWidget, mime: QMimeData) -> bool:
+    """Drag something from elsewhere and drop it onto a widget; says whether it was welcome."""
+    place = QPoint(widget.width() // 2, widget.height() // 2)
+    enter = QDragEnterEvent(place, Qt.DropAction.CopyAction, mime, LEFT, Qt.KeyboardModifier.NoModifier)
+    QtWidgets.QApplication.sendEvent(widget, enter)
+    event = QDropEvent(QPointF(place), Qt.DropAction.CopyAction, mime, LEFT, Qt.KeyboardModifier.NoModifier)
+    QtWidgets.QApplication.sendEvent(widget, event)
+    return enter.isAccepted() and event.isAccepted()

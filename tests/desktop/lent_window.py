@@ -220,7 +220,7 @@ class WindowLender:
 def _leave_talk(desktop: Desktop) -> None:
     """Have a head that says nothing, and moves by the usual table."""
     talking = desktop.talking
-    desktop.window.talking_dialogs.restore()
+    desktop.window.talk_parts.dialogs.restore()
     talking.clear_visemes()
     talking.text.drivers.compare(None)
     talking.text.set_lexicon(None)

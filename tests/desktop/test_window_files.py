@@ -4,17 +4,16 @@ import os
 import subprocess
 import sys
 from itertools import cycle
-from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QAction, QDragEnterEvent, QDropEvent, QFileOpenEvent
+from PySide6.QtCore import QMimeData, Qt, QUrl
+from PySide6.QtGui import QAction, QFileOpenEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
 from phonemeanalyser.desktop.app import FileRequests
 from phonemeengine.presets.files import FACTORY, THESIS_PRESET, load_preset, save_preset
 from tests.bad_files import BAD_FILES, DAMAGED, ODD_FILES
-from tests.desktop.hands import CARDS, DEMO, click, followed, menu, press, shown, wav
+from tests.desktop.hands import CARDS, DEMO, click, drop, drop_data, followed, menu, press, shown, wav
 from tests.glb_faces import face_with_targets
 from tests.sounds import tone
 
@@ -37,24 +36,10 @@ program._begin = lambda desktop, *rest: (begin(desktop, *rest), look(desktop))
 sys.exit(program.run(Path(sys.argv[1]) if sys.argv[1:] else None, DEMO))
 """
 
-NO_KEYS = Qt.KeyboardModifier.NoModifier
-
 
 @pytest.fixture
 def window(desktop, qtbot):
     return shown(desktop, qtbot)
-
-
-def drop(widget: QWidget, *paths: Path) -> bool:
-    """Drag files from elsewhere and drop them onto a widget; says whether they were welcome."""
-    mime = QMimeData()
-    mime.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
-    place = QPoint(widget.width() // 2, widget.height() // 2)
-    enter = QDragEnterEvent(place, Qt.DropAction.CopyAction, mime, Qt.MouseButton.LeftButton, NO_KEYS)
-    QApplication.sendEvent(widget, enter)
-    event = QDropEvent(QPointF(place), Qt.DropAction.CopyAction, mime, Qt.MouseButton.LeftButton, NO_KEYS)
-    QApplication.sendEvent(widget, event)
-    return enter.isAccepted() and event.isAccepted()
 
 
 def test_dropped_sounds_and_presets_are_opened_links_and_text_are_not(desktop, window, tmp_path):
@@ -72,16 +57,12 @@ def test_dropped_sounds_and_presets_are_opened_links_and_text_are_not(desktop, w
     assert desktop.session.source.position == 0
     mime = QMimeData()
     mime.setUrls([QUrl("https://example.org/sound.wav")])
-    event = QDropEvent(QPointF(5, 5), Qt.DropAction.CopyAction, mime, Qt.MouseButton.LeftButton, NO_KEYS)
-    window.dropEvent(event)
+    drop_data(window, mime)
     assert desktop.session.path == DEMO
     assert window.banner.label.text().startswith("https://example.org/sound.wav cannot be opened, since only files")
     words = QMimeData()
     words.setText("hello")
-    enter = QDragEnterEvent(QPoint(5, 5), Qt.DropAction.CopyAction, words, Qt.MouseButton.LeftButton, NO_KEYS)
-    enter.setAccepted(False)
-    window.dragEnterEvent(enter)
-    assert not enter.isAccepted()
+    assert not drop_data(window, words)
 
 
 def test_a_face_of_ones_own_is_shown_where_it_speaks(desktop, window, tmp_path, qtbot):

@@ -92,13 +92,15 @@ def test_every_view_copies_its_values_and_becomes_a_picture(desktop, qtbot, tmp_
     assert [path.name for path in saved if not path.is_file() or not path.stat().st_size] == []
 
 
-def test_the_first_picture_does_not_wait_for_the_calibration(tmp_path):
+def test_the_first_picture_does_not_wait_for_other_pages_and_networks(tmp_path):
     program = (
         "import sys; from PySide6.QtCore import QSettings; from phonemeanalyser.desktop.app import Desktop, "
         "make_application; app = make_application(); settings = QSettings(sys.argv[1], QSettings.Format.IniFormat); "
-        "desktop = Desktop(app, settings); desktop.window.show(); name = 'phonemeanalyser.desktop.calibrate.model'; "
-        "print(name in sys.modules); desktop.calibration; print(name in sys.modules); desktop.close()"
+        "desktop = Desktop(app, settings); desktop.window.show(); "
+        "names = [f'phonemeanalyser.desktop.{page}.model' for page in ('calibrate', 'talk')]; "
+        "print({*names, 'onnxruntime', 'phonemeengine.conversion'} & {*sys.modules}); "
+        "desktop.calibration; desktop.talking; print({*names} <= {*sys.modules}); desktop.close()"
     )
     words = [sys.executable, "-c", program, str(tmp_path / "settings.ini")]
     done = subprocess.run(words, capture_output=True, text=True, check=True)
-    assert done.stdout.split() == ["False", "True"]
+    assert done.stdout.split() == ["set()", "True"]

@@ -10,12 +10,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
-from PySide6.QtGui import QColor, QDropEvent
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
 
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeengine.settings import HOP
-from tests.desktop.hands import CARDS, DEMO, FileAnswers, click, press
+from tests.desktop.hands import CARDS, DEMO, FileAnswers, click, drop, press
 from tests.desktop.session.test_microphone import CUT_OFF
 from tests.desktop.studio import DESK, Booth
 from tests.fakes.microphones import HandDrivenMicrophone
@@ -153,10 +153,7 @@ def test_a_folder_that_vanishes_is_one_sentence_and_what_was_recorded_is_kept(
 def test_a_dropped_file_ends_the_recording_and_its_offer_still_comes(booth: Booth, mic: HandDrivenMicrophone):
     booth.record()
     booth.feed(mic, known(0, 50))
-    mime = QMimeData()
-    mime.setUrls([QUrl.fromLocalFile(str(DEMO))])
-    copy, left, no_key = Qt.DropAction.CopyAction, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
-    booth.window.dropEvent(QDropEvent(QPointF(300, 300), copy, mime, left, no_key))
+    assert drop(booth.window, DEMO)
     assert (booth.desktop.session.path, booth.desktop.session.source.kind) == (DEMO, SourceKind.FILE)
     booth.until(lambda: booth.banner.startswith("Recorded 0.5 s to "))
     np.testing.assert_array_equal(samples_in(booth.studio.take)[:, 0], known(0, 50))

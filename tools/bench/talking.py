@@ -104,7 +104,7 @@ def main() -> None:
         page = _measured(desktop, window.talk.head)
         window.show_page(ANALYSE)
         next(d for d in window.findChildren(QDockWidget) if d.objectName() == "Head").show()
-        dock = _measured(desktop, window.head)
+        dock = _measured(desktop, window.talk_parts.heads.by_name["dock"])
         window.show_page(TALK)
         moves, keys = _dragged(desktop), _typed(window.talk.text.field)
         desktop.close()

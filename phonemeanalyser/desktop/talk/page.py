@@ -311,16 +311,21 @@ def _scrolled(body: QWidget) -> ScrolledDown:
 
 
 class Heads:
-    """Moves the heads that are seen."""
+    """Moves the heads that are seen.
+
+    Attributes
+    ----------
+    by_name : the heads, as they are called in every window.
+    """
 
     def __init__(self, talking: TalkModel) -> None:
         self._talking = talking
-        self._heads: dict[str, HeadView] = {}
+        self.by_name: dict[str, HeadView] = {}
         self._views: list[HeadView | TalkPage] = []
 
     def add(self, name: str, head: HeadView, page: TalkPage | None = None) -> HeadView:
         """Move this one too, with all of its page; it is called so in every window."""
-        self._heads[name] = head
+        self.by_name[name] = head
         self._views.append(page or head)
         return head
 
@@ -335,11 +340,11 @@ class Heads:
 
     def copy_view_from(self, other: "Heads") -> None:
         """Show the heads from where another window shows them."""
-        for name, head in self._heads.items():
-            if name in other._heads:
-                head.copy_view_from(other._heads[name])
+        for name, head in self.by_name.items():
+            if name in other.by_name:
+                head.copy_view_from(other.by_name[name])
 
     def release_gl(self) -> None:
         """Give everything back to the graphics driver."""
-        for head in self._heads.values():
+        for head in self.by_name.values():
             head.release_gl()

@@ -4,8 +4,10 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QEvent, QObject, QSettings, Signal
+from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QWidget
+from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.program_folder import outside_program
@@ -33,6 +35,49 @@ def audio_filters() -> str:
     """Return the filters of a dialog that asks for sound: audio and video files, then all."""
     patterns = " ".join(f"*{suffix}" for suffix in sorted(SUFFIXES))
     return tr("Audio and video files ({patterns});;All files (*)").format(patterns=patterns)
+
+
+class FileDrops(QObject):
+    """Takes the files that the user drags from elsewhere onto a widget.
+
+    Parameters
+    ----------
+    widget : that they are dropped onto.
+    welcome : says whether they are taken now.
+
+    Signals
+    -------
+    dropped : their paths.
+    refused : a sentence on what is no file of this computer.
+    """
+
+    dropped = Signal(list)
+    refused = Signal(str)
+
+    def __init__(self, widget: QWidget, welcome: Callable[[], bool] = lambda: True) -> None:
+        super().__init__(widget)
+        self._welcome = welcome
+        widget.setAcceptDrops(True)
+        widget.installEventFilter(self)
+
+    @override
+    def eventFilter(self, _widget: QObject, event: QEvent) -> bool:
+        if event.type() not in {QEvent.Type.DragEnter, QEvent.Type.Drop}:
+            return False
+        assert isinstance(event, QDropEvent)
+        if event.mimeData().hasUrls() and self._welcome():
+            event.acceptProposedAction()
+            if event.type() == QEvent.Type.Drop:
+                self._take(event)
+        return True
+
+    def _take(self, event: QDropEvent) -> None:
+        urls = event.mimeData().urls()
+        self.dropped.emit([Path(url.toLocalFile()) for url in urls if url.isLocalFile()])
+        for url in urls:
+            if not url.isLocalFile():
+                sentence = tr("{url} cannot be opened, since only files on this computer can. Save it here first.")
+                self.refused.emit(sentence.format(url=url.toString()))
 
 
 class FileAsker:

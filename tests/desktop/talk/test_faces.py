@@ -91,9 +91,9 @@ def test_woman_and_man_are_chosen_by_a_click_and_the_choice_is_kept(window, desk
     qtbot.waitUntil(lambda: choices.face.text() == "Man")
     assert desktop.talking.face.head is Head.MAN
     assert [button.isEnabled() for button in choices.heads.values()] == [True, False]
-    window.talking_dialogs.save()
+    window.talk_parts.dialogs.save()
     desktop.talking.face.files = FaceFiles()
-    window.talking_dialogs.restore()
+    window.talk_parts.dialogs.restore()
     assert desktop.talking.face.files == FaceFiles(Path("man"))
 
 
@@ -105,9 +105,9 @@ def test_several_meshes_are_one_face_which_is_kept(window, desktop, qtbot, tmp_p
     qtbot.waitUntil(lambda: window.talk.choices.face.text() == "face.obj")
     assert [*desktop.talking.percentages] == ["jawOpen", "mouthClose"]
     files = desktop.talking.face.files
-    window.talking_dialogs.save()
+    window.talk_parts.dialogs.save()
     desktop.talking.face.files = FaceFiles()
-    window.talking_dialogs.restore()
+    window.talk_parts.dialogs.restore()
     assert desktop.talking.face.files == files
     assert desktop.talking.in_use.movestates == (tmp_path / "jawOpen.obj", tmp_path / "mouthClose.obj")
 
@@ -130,7 +130,7 @@ def test_a_mesh_of_ones_own_is_shown_unless_it_cannot_and_the_programs_head_agai
     qtbot.waitUntil(lambda: head.surface.n_drawn > n_drawn)
     points = mesh_of([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
     save_morph_targets(morph_targets_of(points, [movestate_of("jawOpen", [[0, 1, 0]] * 3)]), tmp_path / "points.glb")
-    window.talking_dialogs.open([tmp_path / "points.glb"])  # as one that is dropped
+    window.talk_parts.dialogs.open([tmp_path / "points.glb"])  # as one that is dropped
     qtbot.waitUntil(lambda: head.trouble.startswith("The head cannot be shown: the mesh has no triangles"))
     click(choices.heads[Head.WOMAN])
     qtbot.waitUntil(lambda: not head.trouble)

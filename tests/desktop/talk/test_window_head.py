@@ -62,7 +62,7 @@ def test_the_dock_is_hidden_at_first_and_f7_shows_and_hides_it(desktop, qtbot, g
     assert not dock(window).isVisible()
     press(window, Qt.Key.Key_F7)
     assert dock(window).isVisible()
-    drawn(window.head, qtbot)
+    drawn(window.talk_parts.heads.by_name["dock"], qtbot)
     press(window, Qt.Key.Key_F7)
     assert not dock(window).isVisible()
     qtbot.waitUntil(lambda: not desktop.talking.watched)
@@ -158,7 +158,7 @@ def test_the_head_is_looked_at_from_all_sides_by_mouse_and_keys(window):
     actions["Move Light Right (.)"].trigger()
     assert head.light.azimuth > light
     click(heads.framings[Framing.FACE])
-    assert head.camera == Camera.facing(window._talking.face.morph_mesh.mesh)
+    assert head.camera == Camera.facing(window.talk_parts.model.face.morph_mesh.mesh)
     head.setFocus()
     solid = picture(head)
     press(window, Qt.Key.Key_W)

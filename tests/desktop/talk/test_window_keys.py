@@ -188,7 +188,7 @@ def test_what_is_made_of_the_demo_stays_out_of_the_folder_of_the_program(desktop
     desktop.session.open(DEMO)
     assert desktop.talking.keys.layer == layer
     desktop.files.show = answers = FileAnswers(tmp_path / "demo.TextGrid")
-    assert desktop.window.talking_dialogs.ask_save_words() is False  # there are none yet
+    assert desktop.window.talk_parts.dialogs.ask_save_words() is False  # there are none yet
     assert answers.suggested == [kept.with_name("demo.TextGrid")]
     dialog = ExportDialog(desktop.preset.preset, Channel.MIX, [DEMO], settings, desktop.window)
     assert dialog.folder.text() == str(kept.parent)

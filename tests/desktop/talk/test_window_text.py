@@ -167,16 +167,16 @@ def test_the_tour_points_at_what_is_there_by_keyboard_and_is_left_by_escape(wind
         press(window, Qt.Key.Key_Return)
     assert pointed_at[0] is talk.text.field
     assert pointed_at[-1] is talk.export
-    window.talking_dialogs.show_tour()
+    window.talk_parts.dialogs.show_tour()
     tour.onward.click()
     tour.back.click()
     assert tour.stop == 0
     press(window, Qt.Key.Key_Escape)
     assert not tour.isVisible()
-    window.talking_dialogs.show_first_tour()  # it was shown before
+    window.talk_parts.dialogs.show_first_tour()  # it was shown before
     assert not tour.isVisible()
     settings.remove("talk/toured")
-    window.talking_dialogs.show_first_tour()
+    window.talk_parts.dialogs.show_first_tour()
     assert tour.isVisible()
     window.show_page(0)
     assert not tour.isVisible()
@@ -221,7 +221,7 @@ def test_the_lanes_are_words_syllables_and_phones_that_are_played_moved_and_undo
     assert window.talk.head.height() > 100
     for part in (panel(window).field, panel(window).language, panel(window).act, window.talk.lanes):
         assert window.rect().contains(part.mapTo(window, part.rect().bottomRight()))
-    assert window.talking_dialogs.may_leave_words()  # nothing is asked
+    assert window.talk_parts.dialogs.may_leave_words()  # nothing is asked
 
 
 def test_a_right_click_on_a_word_offers_what_changes_it(window, desktop, qtbot):
@@ -270,7 +270,7 @@ def test_who_moved_a_boundary_is_asked_before_another_sound_is_opened_and_when_h
     target = tmp_path / "said.TextGrid"
     window.files.show = FileAnswers(target)
     answer("Save")
-    assert window.talking_dialogs.may_leave_words()
+    assert window.talk_parts.dialogs.may_leave_words()
     assert spans_of(read_utterance(target, DURATION), LabelUnit.WORD)[0][1] == pytest.approx(0.7, abs=0.01)
 
 

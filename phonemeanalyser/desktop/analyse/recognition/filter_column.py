@@ -5,8 +5,8 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QEvent, Qt, QTimer
+from PySide6.QtGui import QKeyEvent, QPaintEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QSizePolicy, QSlider, QToolButton, QWidget
 from typing_extensions import override
 
@@ -29,6 +29,8 @@ FRAME_MS = 1000 * FRAME_PERIOD
 class LookAheadSlider(QSlider):
     """Sets the look-ahead of a microphone's recogniser, in frames of 10 ms.
 
+    What it costs is told once the slider was painted: that opens the real-time model, for which no window waits.
+
     Attributes
     ----------
     words : a label to stand under it: the latency on this machine, and how right the answers are.
@@ -38,6 +40,9 @@ class LookAheadSlider(QSlider):
         super().__init__(Qt.Orientation.Horizontal)
         self._preset = preset
         self._waiting: float | None = None
+        self._painted = False
+        self._after_painting = QTimer(self, singleShot=True)
+        self._after_painting.timeout.connect(self._tell)
         self.words = builders.named(
             builders.label(wraps=True),
             tip=tr(
@@ -68,6 +73,13 @@ class LookAheadSlider(QSlider):
             return True
         return super().event(event)
 
+    @override
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if not self._painted:
+            self._painted = True
+            self._after_painting.start()
+
     def _set(self, frames: int) -> None:
         seconds = round(frames * FRAME_PERIOD, 2)
         if seconds != getattr(self._preset.preset.settings, LIVE_LOOK_AHEAD):
@@ -79,6 +91,8 @@ class LookAheadSlider(QSlider):
         self._tell()
 
     def _tell(self) -> None:
+        if not self._painted:
+            return
         preset = self._preset.preset
         by_model = spec_of(preset.recogniser).looks_ahead and preset.model is not None
         waits = spec_of(preset.recogniser).looks_ahead or preset.decoder is not None
