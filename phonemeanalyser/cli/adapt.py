@@ -4,8 +4,9 @@ import argparse
 from dataclasses import replace
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import SAID, add_map, add_options, file_place, given, refuse_unused
+from phonemeanalyser.cli.arguments import SAID, add_map, add_options, given, refuse_unused
 from phonemeanalyser.cli.jobs import say_cut_off, say_note, sounds_in
+from phonemeanalyser.cli.parser import file_place
 from phonemeengine import (
     Channel,
     CorpusError,

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
-from phonemeanalyser.cli.arguments import HEARD, add_options, number_in
+from phonemeanalyser.cli.arguments import HEARD, add_options
 from phonemeanalyser.cli.jobs import file_preset
+from phonemeanalyser.cli.parser import number_in
 from phonemeengine import Preset, SoundReader
 from phonemeengine.analyser import Analysis, analyse_file, analyse_range
 from phonemeengine.errors import AudioError, OptionError

@@ -14,7 +14,8 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from types import FrameType
 
-from phonemeanalyser.cli.arguments import add_options, given, number_in, whole_in
+from phonemeanalyser.cli.arguments import add_options, given
+from phonemeanalyser.cli.parser import number_in, whole_in
 from phonemeengine import (
     FRAME_PERIOD,
     Analysis,

@@ -7,8 +7,9 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import HEARD, add_options, number_in
+from phonemeanalyser.cli.arguments import HEARD, add_options
 from phonemeanalyser.cli.jobs import file_preset
+from phonemeanalyser.cli.parser import number_in
 from phonemeengine import SoundReader, measure
 from phonemeengine.audio.wav import check_wav_name
 from phonemeengine.dsp.formants import CEILING, HIGHEST_CEILING, LOWEST_CEILING

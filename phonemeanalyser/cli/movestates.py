@@ -5,7 +5,8 @@ import math
 from collections.abc import Iterator
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_examples, add_options, file_place, number_in
+from phonemeanalyser.cli.arguments import add_examples, add_options
+from phonemeanalyser.cli.parser import file_place, number_in
 from phonemeengine import (
     MeshError,
     MorphTargets,

@@ -2,8 +2,8 @@
 
 import argparse
 
-from phonemeanalyser.cli.arguments import file_place
 from phonemeanalyser.cli.listen import add_input, input_of, record
+from phonemeanalyser.cli.parser import file_place
 from phonemeengine import load_preset
 
 EXAMPLES = (

@@ -7,8 +7,9 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_map, add_options, file_place, whole_in
+from phonemeanalyser.cli.arguments import add_map, add_options
 from phonemeanalyser.cli.jobs import say_cut_off
+from phonemeanalyser.cli.parser import file_place, whole_in
 from phonemeengine import CorpusError, PresetError, load_phoneme_map, load_preset, read_recordings, save_preset
 from phonemeengine.calibration.fits.fitting import FitReport
 from phonemeengine.calibration.fits.rule_finding import MOST_CONDITIONS_IN_ALL, rules_from

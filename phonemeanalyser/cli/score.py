@@ -9,8 +9,9 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import HEARD, add_batch, add_map, add_options, number_in, refuse_unused, whole_in
+from phonemeanalyser.cli.arguments import HEARD, add_batch, add_map, add_options, refuse_unused
 from phonemeanalyser.cli.jobs import file_preset, say_cut_off, share_paths, work_through
+from phonemeanalyser.cli.parser import number_in, whole_in
 from phonemeanalyser.cli.prediction_work import PredictionWork, words_to_score
 from phonemeanalyser.reports.figures import json_of, text_of
 from phonemeanalyser.reports.page import page_of

@@ -6,9 +6,10 @@ import os
 from pathlib import Path
 
 import phonemeanalyser
-from phonemeanalyser.cli.arguments import add_options, file_place, number_in, reading
+from phonemeanalyser.cli.arguments import add_options
 from phonemeanalyser.cli.display import load_desktop
-from phonemeengine.conversion.options import PictureSize
+from phonemeanalyser.cli.parser import file_place, number_in, reading
+from phonemeengine.conversion.option import PictureSize
 
 EXAMPLES = (
     "phonemeanalyser screenshot speech.wav -o window.png",

@@ -3,8 +3,8 @@
 import argparse
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import file_place
 from phonemeanalyser.cli.jobs import say_note
+from phonemeanalyser.cli.parser import file_place
 from phonemeengine import load_preset, ship
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.shipping.targets import TARGETS, USUAL_TABLES, without_real_time_model

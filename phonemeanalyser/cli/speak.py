@@ -10,8 +10,9 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import MOVED, add_options, format_of, given, number, refuse_unused
+from phonemeanalyser.cli.arguments import MOVED, add_options, format_of, given, refuse_unused
 from phonemeanalyser.cli.jobs import say_note
+from phonemeanalyser.cli.parser import number
 from phonemeengine import (
     DeviceError,
     EngineError,

@@ -10,7 +10,8 @@ from typing import Any
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_options, file_place, refuse_unused, whole_in
+from phonemeanalyser.cli.arguments import add_options, refuse_unused
+from phonemeanalyser.cli.parser import file_place, whole_in
 from phonemeengine import ModelError, ModelKind, Preset, load_preset, save_preset
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.storage.replacing import guarded_text

@@ -6,10 +6,11 @@ import os
 import sys
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_options
 from phonemeanalyser.cli.display import load_desktop, why_no_window
+from phonemeanalyser.cli.parser import add_declared
 from phonemeanalyser.licences import licences_text
 from phonemeengine import __version__
+from phonemeengine.conversion.option import RECOGNITION
 
 DEMO = Path(__file__).parents[1] / "demo" / "demo.flac"
 NO_DISPLAY = 3
@@ -27,7 +28,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="audio file, preset or face to open (default: the last one, or a demo)",
     )
-    add_options(parser, "preset", "channel", preset=None, channel=None)
+    add_declared(parser, RECOGNITION, "preset", "channel", preset=None, channel=None)
     parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
     parser.add_argument("--licences", action="store_true", help="print the licences of all parts")
 

@@ -24,6 +24,7 @@ WITHOUT_WINDOW = {
     "batch/remote.py",
     "calibration/scores/added_noise.py",
     "calibration/scores/comparison.py",
+    "conversion/option.py",
     "conversion/options.py",
     "encoder/graph.py",
     "performance/corpus.py",

@@ -1,12 +1,23 @@
 """What is asked of a conversion, each option declared once: command lines, the server, the window and the manual."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, fields
-from enum import StrEnum
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from phonemeengine.conversion.option import (
+    Number,
+    OneOf,
+    Option,
+    PictureSize,
+    RecognitionOptions,
+    file_option,
+    files_option,
+    option,
+    options_of,
+    switch,
+)
 from phonemeengine.errors import MouthError, OptionError, remedy
 from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.mouth.cues import LONGEST_MINIMUM, MINIMUM, MOST_ANTICIPATION
@@ -24,9 +35,6 @@ from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformancePart
 from phonemeengine.performance.face_csv import read_expression
-from phonemeengine.presets.files import DEFAULT_PRESET
-from phonemeengine.presets.model_choice import WITHOUT_ENCODER
-from phonemeengine.settings import MOST_CHANNELS, Channel, Decoding, ModelKind
 
 RECORDED = ".csv"
 """Ends the name of a recorded expression."""
@@ -37,128 +45,6 @@ CLIP_EDGES = 16, 4096
 """The least and the most pixels along an edge of a clip."""
 THEMES = "light", "dark"
 """The colours of pictures."""
-
-
-# What reads the words of an option; each refuses by the end of a sentence, which begins with the option's name.
-
-
-@dataclass(frozen=True)
-class Number:
-    """Reads a number.
-
-    Attributes
-    ----------
-    low, high : its limits.
-    unit : of these.
-    whole : whether it has no fraction.
-    """
-
-    low: float = -math.inf
-    high: float = math.inf
-    unit: str = ""
-    whole: bool = False
-
-    def __call__(self, words: str) -> Any:
-        """Return the number, finite and within its limits.
-
-        Raises
-        ------
-        OptionError : it is none.
-        """
-        try:
-            value = float(words) if not self.whole else int(words) if words.isdecimal() else math.nan
-        except ValueError:
-            value = math.nan
-        if not (abs(value) < math.inf and self.low <= value <= self.high):
-            kind = "a whole number" if self.whole else "a number"
-            raise OptionError(f"must be {kind}{self._limits}, got {words!r}")
-        return value
-
-    @property
-    def _limits(self) -> str:
-        unit = f" {self.unit}" if self.unit else ""
-        if self.high < math.inf:
-            return f" in {self.low:g}..{self.high:g}{unit}"
-        return f" of {self.low:g}{unit} or more" if self.low > -math.inf else ""
-
-
-@dataclass(frozen=True)
-class OneOf:
-    """Reads one of some words.
-
-    Attributes
-    ----------
-    known : the words, or an enumeration of them.
-    """
-
-    known: Sequence[str] | type[StrEnum]
-
-    def __call__(self, words: str) -> str:
-        """Return it as it is known.
-
-        Raises
-        ------
-        OptionError : it is none of them.
-        """
-        for word in self.known:
-            if words == word:
-                return word
-        raise OptionError(f"there is no {words!r}; {remedy(words, self.known)}")
-
-
-@dataclass(frozen=True)
-class PictureSize:
-    """Reads width and height of a picture, such as 640x480.
-
-    Attributes
-    ----------
-    least, most : width and height at least and at most, pixels.
-    """
-
-    least: tuple[int, int]
-    most: tuple[int, int]
-
-    def __call__(self, words: str) -> tuple[int, int]:
-        """Return width and height, pixels.
-
-        Raises
-        ------
-        OptionError : they are none, or beyond the limits.
-        """
-        try:
-            width, height = (int(part) for part in words.lower().split("x"))
-        except ValueError:
-            raise OptionError(f"must be like {self.least[0]}x{self.least[1]}, got {words!r}") from None
-        if not (self.least[0] <= width <= self.most[0] and self.least[1] <= height <= self.most[1]):
-            limits = "..".join(f"{w}x{h}" for w, h in (self.least, self.most))
-            raise OptionError(f"must lie in {limits}, got {words!r}")
-        return width, height
-
-
-def read_switch(words: str) -> bool:
-    """Read whether something is on.
-
-    Raises
-    ------
-    OptionError : the words do not say it.
-    """
-    if words not in {"true", "false"}:
-        raise OptionError(f"must be true or false, got {words!r}")
-    return words == "true"
-
-
-def read_channel(words: str) -> Channel:
-    """Read a channel.
-
-    Raises
-    ------
-    OptionError : it is none.
-    """
-    try:
-        return Channel(words)
-    except ValueError:
-        limits = f"mix, left, right, or a number in 1..{MOST_CHANNELS}"
-        raise OptionError(f"must be {limits}, got {words!r}") from None
 
 
 def read_parts(words: str) -> frozenset[PerformancePart]:
@@ -187,54 +73,12 @@ def read_feeling(words: str) -> FeelingAmounts:
         raise OptionError(str(error)) from None
 
 
-@dataclass(frozen=True)
-class Option:
-    """An option of conversions.
-
-    Attributes
-    ----------
-    words : what it does, for people.
-    value : what stands for its value in a line of help, such as ``N``; empty for a switch.
-    read : gives the value that words mean, or refuses them by the end of a sentence.
-    default : the value of who does not give it.
-    limits : the least and the most that it may be, where it is a number; the engine refuses others.
-    several : whether it may be given more than once.
-    needs : the options of which one must be given beside it, and what these say.
-    elsewhere : whether a client on another machine may give it: it names no file of this one.
-    """
-
-    words: str
-    value: str = ""
-    read: Callable[[str], Any] = str
-    default: Any = None
-    limits: tuple[float, float] | None = None
-    several: bool = False
-    needs: tuple[tuple[str, ...], str] = (), ""
-    elsewhere: bool = True
-
-
-def _option(words: str, value: str = "", read: Callable[[str], Any] = str, default: Any = None, **more: Any) -> Any:
-    return field(default=default, metadata={"option": Option(words, value, read, default, **more)})
-
-
-def _switch(words: str, **more: Any) -> Any:
-    return _option(words, "", read_switch, False, **more)
-
-
-def _file(words: str, value: str = "FILE", **more: Any) -> Any:
-    return _option(words, value, Path, elsewhere=False, **more)
-
-
-def _files(words: str, value: str, **more: Any) -> Any:
-    return _option(words, value, Path, (), several=True, elsewhere=False, **more)
-
-
 _TEXT = ("text", "script"), "give the text that is spoken"
 _TABLE = ("performance",), "name a table of recorded faces"
 
 
 @dataclass(frozen=True)
-class ConversionOptions:
+class ConversionOptions(RecognitionOptions):
     """What is asked of a conversion; `OPTIONS` says of each field what it is.
 
     Raises
@@ -242,57 +86,42 @@ class ConversionOptions:
     OptionError : an option goes with another one that was not given, or excludes it.
     """
 
-    preset: Path = _option(
-        "preset, PhonemeData file, or name of a factory preset", "PRESET", Path, DEFAULT_PRESET, elsewhere=False
-    )
-    model: ModelKind | None = _option(
-        f"model that recognises (default: the best available); {WITHOUT_ENCODER}",
-        "|".join(ModelKind),
-        OneOf(ModelKind),
-        elsewhere=False,
-    )
-    decoder: Decoding | None = _option(
-        "decoder of rules: off, none, or a language", "|".join(Decoding), OneOf(Decoding), elsewhere=False
-    )
-    channel: Channel = _option(
-        "channel to analyse: mix, left, right, or a number from 1", "C", read_channel, Channel.MIX
-    )
-    longest: float = _option(
+    longest: float = option(
         "refuse audio files longer than S seconds", "S", Number(0, unit="s"), math.inf, elsewhere=False
     )
-    text: str | None = _option("text that is spoken; makes recognition far more accurate", "TEXT")
-    script: Path | None = _file(
+    text: str | None = option("text that is spoken; makes recognition far more accurate", "TEXT")
+    script: Path | None = file_option(
         "file with the text, table with a line FILE<TAB>TEXT for each file, .TextGrid or .json with word times, or "
         "auto: x.TextGrid with words, or x.txt, beside x.wav"
     )
-    speaker: str | None = _option(
+    speaker: str | None = option(
         "speaker whose words are used, where a .TextGrid or .json has several", "NAME", needs=_TEXT, elsewhere=False
     )
-    language: str | None = _option("language of the text, such as en-us or de", "L", needs=_TEXT)
-    lexicon: Path | None = _file("pronunciations of words, .toml or .csv", needs=_TEXT)
-    literal: bool = _switch(
+    language: str | None = option("language of the text, such as en-us or de", "L", needs=_TEXT)
+    lexicon: Path | None = file_option("pronunciations of words, .toml or .csv", needs=_TEXT)
+    literal: bool = switch(
         "read speakers' names, [directions], *emphasis*, <tags> and &entities; as words", needs=_TEXT
     )
-    accept_text: bool = _switch("align even if the recording does not seem to match the text", needs=_TEXT)
-    format: str | None = _option("file format (default: from the ending of OUT)", "F", OneOf(tuple(FORMATS)))
-    table: str | None = _option(f"mouth table: a file, or one of {', '.join(shipped_tables())}", "T")
-    fps: float | None = _option(
+    accept_text: bool = switch("align even if the recording does not seem to match the text", needs=_TEXT)
+    format: str | None = option("file format (default: from the ending of OUT)", "F", OneOf(tuple(FORMATS)))
+    table: str | None = option(f"mouth table: a file, or one of {', '.join(shipped_tables())}", "T")
+    fps: float | None = option(
         "frames per second (default: the format's)", "N", Number(), limits=(LOWEST_RATE, HIGHEST_RATE)
     )
-    minimum: float | None = _option(
+    minimum: float | None = option(
         f"shortest cue ({MINIMUM} s), for formats that have cues", "S", Number(), limits=(0.0, LONGEST_MINIMUM)
     )
-    anticipation: float | None = _option(
+    anticipation: float | None = option(
         f"how far the mouth leads the sound, 0..{MOST_ANTICIPATION} s", "S", Number(), limits=(0.0, MOST_ANTICIPATION)
     )
-    detail: Detail = _option("units that the mouth follows", "|".join(Detail), OneOf(Detail), Detail.PHONEMES)
-    attack: float = _option("factor for the time that mouth shapes take to rise", "X", Number(), 1.0, limits=FACTORS)
-    release: float = _option("factor for the time that mouth shapes take to fall", "X", Number(), 1.0, limits=FACTORS)
-    steady: bool = _switch("do not vary shapes and times at random")
-    no_blinks: bool = _switch("keep the eyes open")
-    no_head: bool = _switch("keep the head still")
-    seed: int | None = _option("seed of random variation, including that of pinyin", "N", Number(0, whole=True))
-    expression: tuple[str, ...] = _option(
+    detail: Detail = option("units that the mouth follows", "|".join(Detail), OneOf(Detail), Detail.PHONEMES)
+    attack: float = option("factor for the time that mouth shapes take to rise", "X", Number(), 1.0, limits=FACTORS)
+    release: float = option("factor for the time that mouth shapes take to fall", "X", Number(), 1.0, limits=FACTORS)
+    steady: bool = switch("do not vary shapes and times at random")
+    no_blinks: bool = switch("keep the eyes open")
+    no_head: bool = switch("keep the head still")
+    seed: int | None = option("seed of random variation, including that of pinyin", "N", Number(0, whole=True))
+    expression: tuple[str, ...] = option(
         f"expression added to speech: NAME=V,... (0..1) of {', '.join(expression_presets())} or blend shapes; or a "
         "Live Link Face or OpenFace CSV; may be repeated",
         "E",
@@ -300,62 +129,68 @@ class ConversionOptions:
         (),
         several=True,
     )
-    feeling: FeelingAmounts | None = _option(
+    feeling: FeelingAmounts | None = option(
         "follow the feeling in the voice: one number, 0..1, or any of brows=V,lids=V,smile=V,head=V",
         "V",
         read_feeling,
     )
-    text_feeling: float | None = _option(
+    text_feeling: float | None = option(
         "follow the feeling in the text, 0..1: [smile], [angry 0.6], emoji, good and bad words", "V", Number(0, 1)
     )
-    style: str | None = _option(
+    style: str | None = option(
         f"style of speaking: a file, one of your own, or one of {', '.join(shipped_styles())}", "S"
     )
-    priority: str | None = _option(
+    priority: str | None = option(
         "priority of speech over expressions, 0..1, on its own and on other channels", "S[,E]"
     )
-    text_driver: FaceDriver = _option(
+    text_driver: FaceDriver = option(
         "what moves the face (auto: what --performance or --face-network names, pinyin for Chinese, else rules)",
         "|".join(FaceDriver),
         OneOf(FaceDriver),
         FaceDriver.AUTO,
     )
-    beside: FaceDriver | None = _option(
+    beside: FaceDriver | None = option(
         "second head beside the first, moved by this driver",
         "|".join(OTHER_DRIVERS),
         OneOf(OTHER_DRIVERS),
         elsewhere=False,
     )
-    pinyin_table: Path | None = _file("your own pinyin table (.toml)", "T")
-    spring: str | None = _option("spring that moves the mouth: mass, stiffness, damping", "M,K,D")
-    performance: tuple[Path, ...] = _files(
+    pinyin_table: Path | None = file_option("your own pinyin table (.toml)", "T")
+    spring: str | None = option("spring that moves the mouth: mass, stiffness, damping", "M,K,D")
+    performance: tuple[Path, ...] = files_option(
         "table of recorded faces that moves the face; of several, --use, --person or the language selects one",
         "T.sqlite",
     )
-    face_network: Path | None = _file("network that moves the face by the sound alone (performance learn)", "N.face")
-    use: str | None = _option("name of the table to use", "NAME", needs=_TABLE, elsewhere=False)
-    person: str | None = _option("use a table of this person", "NAME", needs=_TABLE, elsewhere=False)
-    choice: ExampleChoice | None = _option(
+    face_network: Path | None = file_option(
+        "network that moves the face by the sound alone (performance learn)", "N.face"
+    )
+    use: str | None = option("name of the table to use", "NAME", needs=_TABLE, elsewhere=False)
+    person: str | None = option("use a table of this person", "NAME", needs=_TABLE, elsewhere=False)
+    choice: ExampleChoice | None = option(
         f"how to choose among examples of a unit (default: {ExampleChoice.VITERBI})",
         "|".join(ExampleChoice),
         OneOf(ExampleChoice),
         needs=_TABLE,
         elsewhere=False,
     )
-    without: frozenset[PerformancePart] | None = _option(
+    without: frozenset[PerformancePart] | None = option(
         f"parts to leave out, any of {','.join(PerformancePart)}", "PARTS", read_parts, needs=_TABLE, elsewhere=False
     )
-    keywords: tuple[Path, ...] = _files("your own words with gestures, and conjunctions (TOML)", "F", needs=_TABLE)
-    performance_sound: bool = _switch(
+    keywords: tuple[Path, ...] = files_option(
+        "your own words with gestures, and conjunctions (TOML)", "F", needs=_TABLE
+    )
+    performance_sound: bool = switch(
         "speak with units of the table's recordings, timed and pitched as the voice would say them",
         needs=_TABLE,
         elsewhere=False,
     )
-    units: Path | None = _file("write a table of the recording that each unit comes from", "OUT.csv", needs=_TABLE)
-    mesh: Path | None = _file("head: woman or man, or your own face: .glb, .vrm, .gltf, .obj or .x", "M")
-    movestates: Path | None = _file("its movestates: .3dm or .3dma", "F")
-    keys: Path | None = _file("edited keys of blend shapes, or auto: x.keys.toml beside x.wav")
-    size: tuple[int, int] = _option(
+    units: Path | None = file_option(
+        "write a table of the recording that each unit comes from", "OUT.csv", needs=_TABLE
+    )
+    mesh: Path | None = file_option("head: woman or man, or your own face: .glb, .vrm, .gltf, .obj or .x", "M")
+    movestates: Path | None = file_option("its movestates: .3dm or .3dma", "F")
+    keys: Path | None = file_option("edited keys of blend shapes, or auto: x.keys.toml beside x.wav")
+    size: tuple[int, int] = option(
         "size of the picture in pixels (default: 640x640)",
         "WxH",
         PictureSize((CLIP_EDGES[0],) * 2, (CLIP_EDGES[1],) * 2),
@@ -363,22 +198,22 @@ class ConversionOptions:
         limits=CLIP_EDGES,
         elsewhere=False,
     )
-    view: Framing = _option(
+    view: Framing = option(
         f"how much is in the picture (default: {Framing.FACE})",
         "|".join(Framing),
         OneOf(Framing),
         Framing.FACE,
         elsewhere=False,
     )
-    transparent: bool = _switch("transparent background, for .png and .gif", elsewhere=False)
-    theme: str = _option("colours (default: light)", "|".join(THEMES), OneOf(THEMES), THEMES[0], elsewhere=False)
-    overwrite: bool = _switch("replace existing files, however they were made", elsewhere=False)
+    transparent: bool = switch("transparent background, for .png and .gif", elsewhere=False)
+    theme: str = option("colours (default: light)", "|".join(THEMES), OneOf(THEMES), THEMES[0], elsewhere=False)
+    overwrite: bool = switch("replace existing files, however they were made", elsewhere=False)
 
     def __post_init__(self) -> None:
         if self.text is not None and self.script is not None:
             raise OptionError("--text and --script both give the text; leave one of them out")
-        for name, option in OPTIONS.items():
-            others, why = option.needs
+        for name, declared in OPTIONS.items():
+            others, why = declared.needs
             if others and self._gives(name) and not any(map(self._gives, others)):
                 raise OptionError(f"--{name} goes with {' or '.join(f'--{other}' for other in others)}: {why}")
 
@@ -397,10 +232,10 @@ class ConversionOptions:
         for name, given in words.items():
             if name not in SERVED:
                 raise OptionError(f"there is no option {name!a}; {remedy(name, SERVED)}")
-            option = OPTIONS[name]
-            if len(given) > 1 and not option.several:
+            declared = OPTIONS[name]
+            if len(given) > 1 and not declared.several:
                 raise OptionError(f"{name} is given {len(given)} times; give it once")
-            values[name.replace("-", "_")] = _served_value(name, option, given)
+            values[name.replace("-", "_")] = _served_value(name, declared, given)
         return cls(**values)
 
     def written(self) -> ExportOptions:
@@ -456,24 +291,22 @@ DRIVEN = ("text-driver", "pinyin-table", "spring", *_OF_TABLES, "face-network")
 """Those that say what moves a face."""
 FACIAL = ("no-blinks", "no-head", *EXPRESSED, *DRIVEN, "keys")
 """Those that say what a whole face does."""
-OPTIONS: dict[str, Option] = {
-    each.name.replace("_", "-"): each.metadata["option"] for each in fields(ConversionOptions)
-}
+OPTIONS = options_of(ConversionOptions)
 """All options, by name."""
-SERVED = tuple(name for name, option in OPTIONS.items() if option.elsewhere)
+SERVED = tuple(name for name, declared in OPTIONS.items() if declared.elsewhere)
 """Those that a client on another machine may give."""
 
 
-def _served_value(name: str, option: Option, given: Sequence[str]) -> Any:
+def _served_value(name: str, declared: Option, given: Sequence[str]) -> Any:
     """Return what an option means to a client, who names no file: neither a mouth table nor an expression of his."""
     known = {"table": shipped_tables(), "style": shipped_styles(), "text-driver": SERVED_DRIVERS}.get(name)
     try:
         if name == "expression" and any(words.lower().endswith(RECORDED) for words in given):
             raise OptionError(f"must be like smile=0.5, and no file, got {given[0]!r}")
-        values = [(OneOf(known) if known else option.read)(words) for words in given]
+        values = [(OneOf(known) if known else declared.read)(words) for words in given]
     except OptionError as error:
         raise OptionError(f"{name} {error}" if str(error).startswith("must") else f"{name}: {error}") from None
-    return tuple(values) if option.several else values[0]
+    return tuple(values) if declared.several else values[0]
 
 
 def _stream_of(words: str) -> ExpressionStream:
