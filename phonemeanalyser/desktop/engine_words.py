@@ -345,6 +345,8 @@ SENTENCES = (
     tr_noop("mouth-shape accuracy falls from {old} % to {new} %"),
     tr_noop("silence recall falls from {old} % to {new} %"),
     tr_noop("false silence rises from {old} % to {new} %"),
+    tr_noop("{cost} in the small network"),
+    tr_noop("{cost} in the real-time model"),
     tr_noop(
         "No sound was recorded: the loudest part is at {db} dBFS. Check that the microphone is on and say it again, "
         "louder or closer."

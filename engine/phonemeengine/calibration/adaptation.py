@@ -72,6 +72,11 @@ STEP_SIZES = (1.0, 0.5, 0.25)
 """Shares of the way from the model to what it learned, the boldest first."""
 
 
+def step_sizes(warp: float) -> tuple[float, ...]:
+    """Return `STEP_SIZES`, and with a warp 0, so that a child's voice gets its mel bands even if learning costs."""
+    return STEP_SIZES if warp == 1 else (*STEP_SIZES, 0.0)
+
+
 @dataclass(frozen=True)
 class _Encoded:
     """The inputs of the layers that move for a recording, its labels, and the weight of each frame.
@@ -118,7 +123,7 @@ class _LabelStats:
 
 
 def adapt(model: Model, examples: Sequence[TrainingExample], warp: float = 1.0) -> tuple[Model, ...]:
-    """Return a model adapted to the labelled recordings or takes of one voice, by each of `STEP_SIZES`.
+    """Return a model adapted to the labelled recordings or takes of one voice, by each of `step_sizes`.
 
     Parameters
     ----------
@@ -142,13 +147,14 @@ def adapt(model: Model, examples: Sequence[TrainingExample], warp: float = 1.0) 
     told = {name: value for name, value in model.about.items() if name not in MEASURED}
     tracts = (1.0,) if stats[0].competing[CORNERS].all() else np.divide(model.warps, np.median(model.warps)).tolist()
     warps = tuple(warp * tract for tract in tracts)  # a model that knows the corners of the vowels needs one alone
-    return tuple(replace(_interpolated(model, tuned_model, share), warps=warps, about=told) for share in STEP_SIZES)
+    between = (_interpolated(model, tuned_model, share) for share in step_sizes(warp))
+    return tuple(replace(moved, warps=warps, about=told) for moved in between)
 
 
 def adapt_live_head(
     live: Preset, examples: Sequence[TrainingExample], states: Sequence[Float32Array], warp: float = 1.0
 ) -> tuple[LiveHead, ...]:
-    """Return the head of the real-time model adapted to one voice, by each of `STEP_SIZES`.
+    """Return the head of the real-time model adapted to one voice, by each of `step_sizes`.
 
     Parameters
     ----------
@@ -171,7 +177,7 @@ def adapt_live_head(
     halves = _one_by_one(begun, HALVES)
     anchors = [_anchor_of(hidden, hidden, halves, kinds) for hidden in encoder.anchor_states(ahead)]
     tuned = fine_tuned((), begun, kinds, np.ones(HALVES, np.float32), segments, anchors, HEAD_ANCHORED).head
-    found = (_head_between(begun, tuned, share) for share in STEP_SIZES)
+    found = (_head_between(begun, tuned, share) for share in step_sizes(warp))
     return tuple(replace(head, weights=moved.weights, bias=moved.bias, warp=warp) for moved in found)
 
 
@@ -220,16 +226,19 @@ def _best_warp(model: Model, takes: Sequence[LabelledUtterance]) -> float:
 
 
 def _likelihood_of(model: Model, examples: Sequence[TrainingExample]) -> float:
-    """Return the mean logarithm of the probability of the labelled phonemes, nats a frame; 0 without labels."""
+    """Return the mean logarithm of the probability of the labelled speech sounds, nats a frame; 0 without any.
+
+    Silence tells nothing of a vocal tract: two seconds of it beside a sentence would outweigh a child's vowels.
+    """
     total = n_frames = 0.0
     for example in examples:
         encoded, head = _encode(model, example), model.heads[-1]
         scores = _through_last_layers(model, encoded.hidden) @ head.weights + head.bias
         shares = softmax_of(scores[len(model.heads) - 1 :], np.ones(len(Phoneme), bool))
         (codes, *_), (weights, *_) = encoded.codes, encoded.weights
-        known = weights > 0
+        known = (weights > 0) & (codes != Phoneme.SILENCE)
         total += float(weights[known] @ np.log(np.maximum(shares[known, codes[known]], LEAST_SHARE)))
-        n_frames += float(weights.sum())
+        n_frames += float(weights[known].sum())
     return total / n_frames if n_frames else 0.0
 
 

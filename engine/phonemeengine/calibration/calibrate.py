@@ -277,7 +277,9 @@ class _Trials:
             new = {kind: self.models.predictions(kind, cases) for kind in kinds}
             after = {kind: held_out_scores(new[kind]) for kind in kinds}
             gains = after[used].macro_f1 > before[used].macro_f1
-            cost = next((loss for kind in kinds if (loss := loss_of(before[kind], after[kind]))), "") if gains else ""
+            names = ["", *(MODELS[kind] for kind in kinds[1:])]  # figures of that in use are shown beside
+            costs = [loss_of(before[kind], after[kind], name) for kind, name in zip(kinds, names, strict=True)]
+            cost = next(filter(None, costs), "") if gains else ""
             if gains and not cost:
                 gained = gains_of(paired_answers(old[used], new[used]))
                 return _Trial(index, before[used], after[used], after[small], first_cost, gained)
@@ -350,17 +352,26 @@ GUARDED = (
 """What is guarded: in words, the figure's name, and whether more of it is better (1) or worse (-1)."""
 
 
-def loss_of(before: Scores, after: Scores) -> str:
+MODELS = {ModelKind.ENCODER: "real-time model", ModelKind.REAL_TIME: "small network"}
+"""What users call the models that recognise live sound."""
+
+
+def loss_of(before: Scores, after: Scores, model: str = "") -> str:
     """Return what gets worse by more than `MOST_LOSS`, such as "silence recall falls from 99.9 % to 39.7 %".
 
     Empty where nothing does; what the labels do not hold is not asked.
+
+    Parameters
+    ----------
+    before, after : figures.
+    model : whose they are, if that has to be said.
     """
     losses = []
     for words, name, sign in GUARDED:
         old, new = float(getattr(before, name)), float(getattr(after, name))
         if sign * (old - new) > MOST_LOSS:
             losses.append(f"{words} {'falls' if sign > 0 else 'rises'} from {100 * old:.1f} % to {100 * new:.1f} %")
-    return " and ".join(losses)
+    return " and ".join(losses) + (f" in the {model}" if losses and model else "")
 
 
 N_PARTS = 4

@@ -97,6 +97,8 @@ MOST_CHANNELS = 8
 """Channels to choose from at most; some devices claim any number."""
 WATCH_MS = 100
 """How often it is looked whether the microphone, or the recording, is in trouble."""
+LEAST_LOST = 0.05
+"""Seconds of lost signal that are told: less would read as 0.0 s."""
 CLOSE_TIMEOUT = 6.0
 """Seconds after which the end of the program waits no longer for a card, or a disk."""
 
@@ -390,8 +392,9 @@ class Microphone(QObject):
         status = self.listener.status
         if status.listening:
             if self._troubled:
-                words = tr("The microphone is back: {status}. {seconds:.1f} s of its signal were lost.")
-                lost = self.listener.lost_seconds
+                lost, words = self.listener.lost_seconds, tr("The microphone is back: {status}.")
+                if lost >= LEAST_LOST:
+                    words = tr("The microphone is back: {status}. {seconds:.1f} s of its signal were lost.")
                 self.info.emit(words.format(status=tr_engine(status.words), seconds=lost))
             self._troubled = self._trouble = ""
             return

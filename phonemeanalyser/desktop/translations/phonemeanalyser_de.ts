@@ -54,7 +54,7 @@
             <translation>A&amp;uswahl</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/window.py" />
             <source>&amp;Talk</source>
             <translation>&amp;Sprechen</translation>
         </message>
@@ -1079,7 +1079,7 @@
             <translation>Trotzdem ausrichten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Align Even If the Text Seems Different</source>
             <translation>Trotz abweichenden Textes ausrichten</translation>
         </message>
@@ -1089,7 +1089,7 @@
             <translation>Ausrichten findet jedes Wort in der Aufnahme. Ohne Aufnahme spricht eine Stimme den Text.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Align Text with Recording</source>
             <translation>Text an Aufnahme ausrichten</translation>
         </message>
@@ -2630,7 +2630,7 @@
             <translation>Ausgewählte Takes löschen (Entf); Strg+Z stellt sie wieder her</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Delete Word or Phone (Del)</source>
             <translation>Wort oder Phon löschen (Entf)</translation>
         </message>
@@ -2895,7 +2895,7 @@
             <translation>Jedes Dreieck nennt eins von {made} Materialien, eines nicht; neu exportieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Edit Keys</source>
             <translation>Keyframes bearbeiten</translation>
         </message>
@@ -3225,7 +3225,7 @@
             <translation>F1 je Phonem seit Beginn dieser Änderung, in Prozentpunkten: {phonemes}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
             <source>Face</source>
             <translation>Gesicht</translation>
         </message>
@@ -4305,7 +4305,7 @@
             <translation>Beschriftung einfügen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Insert Word (Ins)</source>
             <translation>Wort einfügen (Einfg)</translation>
         </message>
@@ -5250,12 +5250,12 @@
             <translation>Gesichtsaufzeichnung laden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Load Face Capture…</source>
             <translation>Gesichtsaufzeichnung laden…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Load Face…</source>
             <translation>Gesicht laden…</translation>
         </message>
@@ -5285,7 +5285,7 @@
             <translation>Lexikon laden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Load Lexicon…</source>
             <translation>Lexikon laden…</translation>
         </message>
@@ -5295,7 +5295,7 @@
             <translation>Mundtabelle laden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Load Mouth Table…</source>
             <translation>Mundtabelle laden…</translation>
         </message>
@@ -5360,17 +5360,17 @@
             <translation>Langer Puffer: 50 ms, für ausgelastete Computer</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Look at Bust</source>
             <translation>Büste ansehen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Look at Face</source>
             <translation>Gesicht ansehen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Look at Mouth</source>
             <translation>Mund ansehen</translation>
         </message>
@@ -5560,7 +5560,7 @@
             <translation>Blendshapes von {face} zuordnen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Map Shapes…</source>
             <translation>Blendshapes zuordnen…</translation>
         </message>
@@ -5925,12 +5925,12 @@
             <translation>Licht bewegen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Move Light Left (,)</source>
             <translation>Licht nach links (,)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Move Light Right (.)</source>
             <translation>Licht nach rechts (.)</translation>
         </message>
@@ -6160,12 +6160,12 @@
             <translation>Nächster Bereich</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Next Picture (Right)</source>
             <translation>Nächstes Bild (Rechts)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Next Poor Match</source>
             <translation>Nächstes schlecht passendes Wort</translation>
         </message>
@@ -6840,7 +6840,7 @@
             <translation>Gesichtsnetz öffnen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Open Face Network…</source>
             <translation>Gesichtsnetz öffnen…</translation>
         </message>
@@ -6875,7 +6875,7 @@
             <translation>Zuletzt geöffnet</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Open Recorded Faces…</source>
             <translation>Aufgezeichnete Gesichter öffnen…</translation>
         </message>
@@ -6885,7 +6885,7 @@
             <translation>Skript öffnen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Open Script…</source>
             <translation>Skript öffnen…</translation>
         </message>
@@ -7240,7 +7240,7 @@
             <translation>Bilder von {size}x{size_2} Pixeln sind für OpenGL hier zu groß; kleiner wählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Pictures per Second</source>
             <translation>Bilder pro Sekunde</translation>
         </message>
@@ -7520,12 +7520,12 @@
             <translation>Vorheriger Bereich</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Previous Picture (Left)</source>
             <translation>Voriges Bild (Links)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Previous Poor Match</source>
             <translation>Voriges schlecht passendes Wort</translation>
         </message>
@@ -7645,7 +7645,7 @@
             <translation>Sprechernamen, [Regieanweisungen], *Betonung*, &lt;tags&gt; und &amp;Entitäten; in einem Skript als Wörter lesen; sonst werden sie ausgelassen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Read Notation Literally</source>
             <translation>Notation wörtlich lesen</translation>
         </message>
@@ -7680,7 +7680,7 @@
             <translation>Echtzeitmodell</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Realign This Word</source>
             <translation>Dieses Wort neu ausrichten</translation>
         </message>
@@ -7915,7 +7915,7 @@
             <translation>entfernen oder einen davon verwenden: {names}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Remove Lexicon</source>
             <translation>Lexikon entfernen</translation>
         </message>
@@ -7990,7 +7990,7 @@
             <translation>Stil umbenennen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Rename Word or Phone (F2)</source>
             <translation>Wort oder Phon umbenennen (F2)</translation>
         </message>
@@ -8330,7 +8330,7 @@
             <translation>Kurve speichern…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Save Keys</source>
             <translation>Keyframes speichern</translation>
         </message>
@@ -8420,7 +8420,7 @@
             <translation>Gesprochenen Text speichern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Save Spoken Text as Audio File…</source>
             <translation>Gesprochenen Text als Audiodatei speichern…</translation>
         </message>
@@ -8440,7 +8440,7 @@
             <translation>Text speichern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Save Text…</source>
             <translation>Text speichern…</translation>
         </message>
@@ -8505,7 +8505,7 @@
             <translation>Wörter und Phone speichern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Save Words and Phones…</source>
             <translation>Wörter und Phone speichern…</translation>
         </message>
@@ -8900,7 +8900,7 @@
             <translation>Am Gesicht zeigen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Show Man</source>
             <translation>Mann zeigen</translation>
         </message>
@@ -8960,7 +8960,7 @@
             <translation>Seite {name} anzeigen (Strg+{number})</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Show Woman</source>
             <translation>Frau zeigen</translation>
         </message>
@@ -9195,7 +9195,7 @@
             <translation>Sprechen und die Phoneme mitlesen; aufgenommen wird erst mit der Taste R.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Speak Text</source>
             <translation>Text vorlesen</translation>
         </message>
@@ -9305,7 +9305,7 @@
             <translation>Beschriftung am Cursor teilen (Eingabetaste)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Split Word or Phone at Cursor (Enter)</source>
             <translation>Wort oder Phon am Cursor teilen (Eingabetaste)</translation>
         </message>
@@ -10043,6 +10043,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>The microphone has recorded nothing since Clear. Use it first, then add its average.</source>
             <translation>Seit dem Leeren hat das Mikrofon nichts aufgenommen. Zuerst aufnehmen, dann den Mittelwert hinzufügen.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
+            <source>The microphone is back: {status}.</source>
+            <translation>Das Mikrofon ist wieder da: {status}.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
@@ -11820,7 +11825,7 @@
             <translation>Drahtgitter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>Wireframe (W)</source>
             <translation>Drahtgitter (W)</translation>
         </message>
@@ -12038,6 +12043,16 @@
             <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
             <source>{clock} · picture {picture}</source>
             <translation>{clock} · Bild {picture}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{cost} in the real-time model</source>
+            <translation>{cost} beim Echtzeitmodell</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{cost} in the small network</source>
+            <translation>{cost} beim kleinen Netz</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/io.py" />
@@ -13560,7 +13575,7 @@
             <translation>{range} Silben je Sekunde</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
             <source>{rate}/s</source>
             <translation>{rate}/s</translation>
         </message>
@@ -13790,7 +13805,7 @@
             <translation>{trouble}; neuer Versuch alle 2 s</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/widgets/file_asker.py" />
             <source>{url} cannot be opened, since only files on this computer can. Save it here first.</source>
             <translation>{url} lässt sich nicht öffnen, nur Dateien auf diesem Computer. Zuerst hier speichern.</translation>
         </message>

@@ -127,8 +127,9 @@ def test_anchors_hold_what_is_said_of_others(read):
 
 def test_a_childs_voice_is_recognised_by_bands_of_higher_frequencies(tmp_path):
     read, asked = (recording(tmp_path, name, what, 300, 1.7) for name, what in (("r", READ), ("a", ASKED)))
+    quiet = recording(tmp_path, "q", (P.SILENCE,) * 16, 300)  # tells nothing of a vocal tract
     preset = preset_of()
-    outcome = calibrate(preset, [read], held_out=[asked])
+    outcome = calibrate(preset, [read, quiet], held_out=[asked])
     model = outcome.preset.model
     assert outcome.gains
     assert model is not None
