@@ -277,7 +277,7 @@ class _Trials:
             new = {kind: self.models.predictions(kind, cases) for kind in kinds}
             after = {kind: held_out_scores(new[kind]) for kind in kinds}
             gains = after[used].macro_f1 > before[used].macro_f1
-            names = ["", *(MODELS[kind] for kind in kinds[1:])]  # figures of that in use are shown beside
+            names = ["", *(IN_MODEL[kind] for kind in kinds[1:])]  # figures of that in use are shown beside
             costs = [loss_of(before[kind], after[kind], name) for kind, name in zip(kinds, names, strict=True)]
             cost = next(filter(None, costs), "") if gains else ""
             if gains and not cost:
@@ -352,11 +352,11 @@ GUARDED = (
 """What is guarded: in words, the figure's name, and whether more of it is better (1) or worse (-1)."""
 
 
-MODELS = {ModelKind.ENCODER: "real-time model", ModelKind.REAL_TIME: "small network"}
-"""What users call the models that recognise live sound."""
+IN_MODEL = {ModelKind.ENCODER: " in the real-time model", ModelKind.REAL_TIME: " in the small network"}
+"""How a loss ends that is not of the model in use."""
 
 
-def loss_of(before: Scores, after: Scores, model: str = "") -> str:
+def loss_of(before: Scores, after: Scores, end: str = "") -> str:
     """Return what gets worse by more than `MOST_LOSS`, such as "silence recall falls from 99.9 % to 39.7 %".
 
     Empty where nothing does; what the labels do not hold is not asked.
@@ -364,14 +364,14 @@ def loss_of(before: Scores, after: Scores, model: str = "") -> str:
     Parameters
     ----------
     before, after : figures.
-    model : whose they are, if that has to be said.
+    end : of the words, such as those of `IN_MODEL`.
     """
     losses = []
     for words, name, sign in GUARDED:
         old, new = float(getattr(before, name)), float(getattr(after, name))
         if sign * (old - new) > MOST_LOSS:
             losses.append(f"{words} {'falls' if sign > 0 else 'rises'} from {100 * old:.1f} % to {100 * new:.1f} %")
-    return " and ".join(losses) + (f" in the {model}" if losses and model else "")
+    return " and ".join(losses) + (end if losses else "")
 
 
 N_PARTS = 4

@@ -98,7 +98,7 @@ MOST_CHANNELS = 8
 WATCH_MS = 100
 """How often it is looked whether the microphone, or the recording, is in trouble."""
 LEAST_LOST = 0.05
-"""Seconds of lost signal that are told: less would read as 0.0 s."""
+"""Seconds of lost signal that the message names at least: less would read as 0.0 s."""
 CLOSE_TIMEOUT = 6.0
 """Seconds after which the end of the program waits no longer for a card, or a disk."""
 

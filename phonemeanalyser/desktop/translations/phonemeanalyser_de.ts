@@ -10047,7 +10047,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
             <source>The microphone is back: {status}.</source>
-            <translation>Das Mikrofon ist wieder da: {status}.</translation>
+            <translation>Das Mikrofon ist zurück: {status}.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />

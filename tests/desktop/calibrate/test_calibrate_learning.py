@@ -155,8 +155,8 @@ def test_what_gets_worse_is_said_with_both_figures():
     assert loss_of(figures, worse) == (
         "silence recall falls from 99.9 % to 39.7 % and false silence rises from 2.0 % to 5.0 %"
     )
-    assert loss_of(figures, figures, "small network") == ""
-    assert loss_of(figures, worse, "small network").endswith("rises from 2.0 % to 5.0 % in the small network")
+    assert loss_of(figures, figures, " in the small network") == ""
+    assert loss_of(figures, worse, " in the small network").endswith("rises from 2.0 % to 5.0 % in the small network")
     unknown = replace(figures, silence_recall=float("nan"))
     assert loss_of(unknown, figures) == loss_of(figures, unknown) == ""
 
