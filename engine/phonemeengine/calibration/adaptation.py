@@ -73,8 +73,11 @@ STEP_SIZES = (1.0, 0.5, 0.25)
 
 
 def step_sizes(warp: float) -> tuple[float, ...]:
-    """Return `STEP_SIZES`, and with a warp 0, so that a child's voice gets its mel bands even if learning costs."""
-    return STEP_SIZES if warp == 1 else (*STEP_SIZES, 0.0)
+    """Return `STEP_SIZES`; with a warp the last is 0, so that a child's voice gets its bands even if learning costs.
+
+    They are as many, as quarters of the takes that are held out in turn may choose different warps.
+    """
+    return STEP_SIZES if warp == 1 else (*STEP_SIZES[:-1], 0.0)
 
 
 @dataclass(frozen=True)
