@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from phonemeengine.mouth.files.gltf_document import chunks_of, document_of, glb_of
 from phonemeengine.mouth.files.gltf_writing import format_glb
-from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.morph_mesh import load_head
 
 HIPS, HEAD, JAW, LEFT_EYE, RIGHT_EYE = range(1, 6)
 """Nodes; node 0 has the mesh."""

@@ -9,7 +9,7 @@ import soundfile
 
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.labels.files import write_labels
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE
 from tests.labelled import labels_of

@@ -8,7 +8,7 @@ import soundfile
 
 from phonemeengine.arrays import UInt8Array
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import labels_of_segments, segments_of
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE

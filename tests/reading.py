@@ -6,7 +6,7 @@ import numpy as np
 
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.labels.files import read_labels
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.settings import SAMPLE_RATE
 from tests.conftest import ROOT
 from tests.sounds import Sound

@@ -28,15 +28,14 @@ from phonemeengine.features.front_end import (
     PitchSetFrontEnd,
     concatenate,
 )
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.labels.visemes import STANDARD_VISEMES, VisemeSet
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.model_choice import for_files, for_live_use, recogniser_for, while_played
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.plug_ins import completed
 from phonemeengine.recognition.scores import Recognition, scores_in, separations_of
-from phonemeengine.recognition.segments import intensities_of
-from phonemeengine.recognition.smoothing import PhonemeSmoother, VisemeSmoother
+from phonemeengine.recognition.segments import PhonemeSmoother, VisemeSmoother, intensities_of
 from phonemeengine.recognition.spec import Finishing, Joining, Recogniser, spec_of
 from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW, AnalysisSettings
 

@@ -29,7 +29,7 @@ from phonemeengine.dsp.mel import N_BANDS
 from phonemeengine.encoder.weights import N_MELS
 from phonemeengine.errors import CorpusError, EngineError
 from phonemeengine.execution import end_with_parent
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.storage.files import atomic_write, reason_of

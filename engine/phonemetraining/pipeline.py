@@ -20,8 +20,8 @@ from phonemeengine.encoder.weights import read_weights
 from phonemeengine.encoder.whisper import MODEL_FILE
 from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.confidence import ConfidenceCurve
 from phonemeengine.recognition.model import Model, load_model, save_model
+from phonemeengine.recognition.scores import ConfidenceCurve
 from phonemeengine.settings import Channel, ModelKind
 from phonemeengine.storage.files import atomic_write
 from phonemetraining.config import TrainingConfig

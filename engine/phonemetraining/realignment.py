@@ -16,7 +16,7 @@ from phonemeengine.arrays import Float64Array, Int64Array
 from phonemeengine.calibration.fine_tuning import N_SOFT_LABELS
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, confusion_of, macro_f1_of
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.labels.visemes import viseme_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD

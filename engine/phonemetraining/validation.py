@@ -19,7 +19,7 @@ from phonemeengine.recognition.learned import OVERLAP, STRETCH, EncodedRecognise
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.scores import Sensitivity
 from phonemeengine.recognition.searched import searched
-from phonemeengine.recognition.smoothing import UNREPLACED
+from phonemeengine.recognition.segments import UNREPLACED
 from phonemeengine.recognition.spec import LEARNED
 from phonemeengine.settings import FRAME_PERIOD, HOP, AnalysisSettings, ModelKind
 from phonemetraining.processes import in_processes

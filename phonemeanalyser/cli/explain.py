@@ -12,7 +12,7 @@ from phonemeanalyser.cli.parser import number_in
 from phonemeengine import Preset, SoundReader
 from phonemeengine.analyser import Analysis, analyse_file, analyse_range
 from phonemeengine.errors import AudioError, OptionError
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.rule_text import rule_lines, rules_of, trace_lines
 from phonemeengine.recognition.spec import recogniser_of

@@ -20,8 +20,7 @@ from phonemeengine import (
 )
 from phonemeengine.mouth.face_mapping import ENOUGH, guess_mapping, mapped_table
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES, deformed_states
-from phonemeengine.mouth.head import Head
-from phonemeengine.mouth.morph_mesh import TOLERANCE
+from phonemeengine.mouth.morph_mesh import TOLERANCE, Head
 from phonemeengine.mouth.table import table_to_toml
 from phonemeengine.storage.files import write_file
 from phonemeengine.storage.replacing import Guard, guarded_text, nothing_is_own

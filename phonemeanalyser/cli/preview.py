@@ -10,7 +10,7 @@ from phonemeanalyser.cli.arguments import HEARD, MOVED, SAID, add_batch, add_cli
 from phonemeanalyser.cli.jobs import file_preset, finish_jobs, is_batch, jobs_of, say_note, share_paths
 from phonemeanalyser.rendering.clip import ClipWork, check_clip
 from phonemeanalyser.rendering.clip_options import ClipOptions
-from phonemeengine.batch.pool import n_cores
+from phonemeengine.batch.order import n_cores
 from phonemeengine.batch.work import Job
 from phonemeengine.conversion.options import DRIVEN
 from phonemeengine.storage.replacing import STANDARD_OUTPUT

@@ -14,7 +14,7 @@ from phonemeengine.errors import remedy
 from phonemeengine.execution import subrange
 from phonemeengine.inspection import averaged_spectrum
 from phonemeengine.inspection.speaker_spectra import VOWELS, Grouping, Groups, average_parts, groups_in
-from phonemeengine.labels.phoneme_map import load_phoneme_map
+from phonemeengine.labels.phone_sets import load_phoneme_map
 from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
 from phonemeengine.settings import AnalysisSettings
 from phonemeengine.storage.files import begins_like, portable_name

@@ -27,7 +27,7 @@ from phonemeengine.mouth.cues import MINIMUM
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.face_driver import FaceDriver
-from phonemeengine.mouth.head import USUAL_HEAD, Framing
+from phonemeengine.mouth.morph_mesh import USUAL_HEAD, Framing
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.presets.files import load_preset

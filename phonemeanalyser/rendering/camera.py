@@ -7,9 +7,9 @@ from functools import cached_property
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
-from phonemeengine.mouth.head import Framing
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.mesh import Mesh
+from phonemeengine.mouth.morph_mesh import Framing
 
 # How a head turns on its neck.
 

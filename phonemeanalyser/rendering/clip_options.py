@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from phonemeanalyser.colours import DARK, LIGHT, Theme
 from phonemeengine.conversion.options import OPTIONS, ConversionOptions
-from phonemeengine.mouth.head import Framing
+from phonemeengine.mouth.morph_mesh import Framing
 
 USUAL_CLIP_RATE = 30.0
 """Frames per second."""

@@ -45,7 +45,7 @@ def empty_scene() -> None:
 def head_glb(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The program's head as a .glb file."""
     from phonemeengine.mouth.files.gltf_writing import format_glb
-    from phonemeengine.mouth.head import load_head
+    from phonemeengine.mouth.morph_mesh import load_head
 
     path = tmp_path_factory.mktemp("head") / "head.glb"
     path.write_bytes(format_glb(load_head()))

@@ -7,9 +7,8 @@ import numpy as np
 import pytest
 
 from phonemeengine.mouth.files.io import load_morph_targets, save_morph_targets
-from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.mesh import mesh_of
-from phonemeengine.mouth.morph_mesh import MorphTargets, morph_targets_of
+from phonemeengine.mouth.morph_mesh import MorphTargets, load_head, morph_targets_of
 from phonemeengine.mouth.movestate import movestate_of
 from tests.blender.conftest import positions_of
 

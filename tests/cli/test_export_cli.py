@@ -14,8 +14,8 @@ from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.blendshape_names import ARKIT, TONGUE
 from phonemeengine.mouth.curves_file import read_curves
 from phonemeengine.mouth.exports.formats import FORMATS
-from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.key_layer import KeyCurve, KeyLayer, keys_beside, write_keys
+from phonemeengine.mouth.morph_mesh import load_head
 from phonemeengine.settings import SAMPLE_RATE
 from tests.glb_faces import face_with_targets
 from tests.sounds import silence

@@ -9,9 +9,8 @@ from pygltflib import GLTF2
 from phonemeanalyser.cli.main import main
 from phonemeengine.mouth.files.gltf_writing import format_glb
 from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets, save_morph_targets
-from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.mesh import mesh_of
-from phonemeengine.mouth.morph_mesh import morph_targets_of
+from phonemeengine.mouth.morph_mesh import load_head, morph_targets_of
 from tests.meshes import CORNERS, GLTF_TEXT, TRIANGLES, format_obj, morph_mesh_of_cube, moved_by
 from tests.tables import Capsys
 

@@ -17,7 +17,7 @@ import soundfile
 
 from phonemeanalyser.cli.main import main
 from phonemeengine.calibration.scores.scoring import Scores
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset, save_preset
 from phonemeengine.settings import SAMPLE_RATE

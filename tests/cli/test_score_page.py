@@ -17,7 +17,7 @@ from phonemeanalyser.reports.report import Report, ScoredPreset, clock, signed, 
 from phonemeengine.calibration.scores.comparison import compare
 from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.calibration.scores.evaluation import score
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.rule_text import rule_lines

@@ -27,7 +27,7 @@ from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
 from phonemeanalyser.desktop.window import ANALYSE, CALIBRATE, TALK, MainWindow
 from phonemeengine.audio.tone import Tone
 from phonemeengine.mouth.files.io import FaceFiles
-from phonemeengine.mouth.head import USUAL_HEAD
+from phonemeengine.mouth.morph_mesh import USUAL_HEAD
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import THESIS_PRESET
 from phonemeengine.settings import Channel

@@ -20,8 +20,8 @@ from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice
 from phonemeengine import Channel, SoundReader, convert, load_preset, save_preset
 from phonemeengine.conversion.spoken_texts import NO_TEXTS
 from phonemeengine.labels.files import write_labels
-from phonemeengine.labels.label import Label
 from phonemeengine.labels.textgrid import format_tiers
+from phonemeengine.labels.utterance import Label
 from phonemeengine.labels.utterance_files import read_utterance
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.face_driver import FaceDriver

@@ -15,9 +15,9 @@ from phonemeanalyser.desktop.export_dialog import ExportDialog
 from phonemeanalyser.desktop.session.export_queue import ExportState
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.inspection.whole_sound import FrameState
-from phonemeengine.labels.label import RawLabel
 from phonemeengine.labels.textgrid import Tier
 from phonemeengine.labels.tiers import read_tiers, write_tiers
+from phonemeengine.labels.utterance import RawLabel
 from tests.desktop.hands import CARDS, DEMO, LEFT, shown, wav
 from tests.sounds import noise
 

@@ -13,9 +13,9 @@ from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.session.label_tiers import ChosenLabel
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.widgets.lanes import Lane
-from phonemeengine.labels.label import RawLabel
 from phonemeengine.labels.textgrid import Tier
 from phonemeengine.labels.tiers import read_tiers, write_tiers
+from phonemeengine.labels.utterance import RawLabel
 from tests.desktop.hands import CARDS, FileAnswers, press, shown
 
 TIERS = (

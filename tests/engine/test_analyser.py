@@ -11,7 +11,7 @@ from phonemeengine.analyser import Analyser, Analysis, analyse_blocks
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.rules import Thresholds
 from phonemeengine.recognition.segments import intensities_of
 from phonemeengine.settings import BIN_WIDTH, WINDOW, AnalysisSettings, Decimation, Filter, WindowFunction
 from tests.sounds import Sound, noise, silence, tone, vowel

@@ -20,7 +20,7 @@ from phonemeengine.inspection.speaker_spectra import (
     speaker_names,
     whole_file,
 )
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE, AnalysisSettings, Channel, Decimation, Filter
 from tests.labelled import recording, recordings

@@ -19,7 +19,7 @@ from phonemeengine.labels.visemes import (
 from phonemeengine.mouth.blendshape_names import OCULUS
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.smoothing import MARGIN, VisemeSmoother
+from phonemeengine.recognition.segments import MARGIN, VisemeSmoother
 
 
 def test_visemes_are_called_as_avatars_call_them():

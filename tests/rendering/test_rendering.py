@@ -19,10 +19,9 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.expression.streams import expression_presets, held_expression
-from phonemeengine.mouth.head import Framing, Head, load_head
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.mesh import mesh_of
-from phonemeengine.mouth.morph_mesh import MorphMesh
+from phonemeengine.mouth.morph_mesh import Framing, Head, MorphMesh, load_head
 from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme

@@ -6,9 +6,8 @@ import pytest
 
 from phonemeanalyser.rendering.renderer import HeadRenderer
 from phonemeanalyser.rendering.surface import MOST_TRIANGLES, Surface, specular_mask, subdivided
-from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.mesh import mesh_of
-from phonemeengine.mouth.morph_mesh import MorphMesh
+from phonemeengine.mouth.morph_mesh import MorphMesh, load_head
 from phonemeengine.mouth.movestate import MovestateSet, movestate_of
 from tests.graphics import ball, context, joined
 from tests.meshes import cube, morph_mesh_of_cube, volume

@@ -45,7 +45,7 @@ def test_the_format_that_the_docs_add_can_be_written() -> None:
 
 
 def test_the_filter_that_the_docs_add_is_written_as_the_others_are() -> None:
-    filters, front_end = (ENGINE / name for name in ("dsp/filters.py", "features/front_end.py"))
+    filters, front_end = (ENGINE / name for name in ("dsp/spectrum.py", "features/front_end.py"))
     _, stage, fields_of_it, function, use = blocks_of("A filter", "python")
     code = f"{filters.read_text(encoding='utf-8')}\n{function}"
     gains = defined_by(code)["band_stop_gains"](5, 10.0, 15.0, 25.0)

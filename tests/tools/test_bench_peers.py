@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.labels.visemes import NO_VISEME
 from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
 from tools.bench.peers.__main__ import first_of_each

@@ -25,7 +25,7 @@ from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.document import preset_from_toml, preset_to_toml
 from phonemeengine.presets.files import FACTORY, FACTORY_PRESETS, load_preset
-from phonemeengine.recognition.phoneme_data import LAYOUT
+from phonemeengine.recognition.rules import LAYOUT
 from phonemeengine.settings import PARAMETERS, AnalysisSettings, Decimation, Filter, WindowFunction
 from phonemeengine.speech.pinyin.table import USUAL_PINYIN_TABLE
 from phonemeengine.speech.pinyin.timing import format_plan

@@ -12,7 +12,7 @@ from phonemeengine.calibration.fits.rule_search import MOST_CONDITIONS
 from phonemeengine.calibration.scores.corpus import Label, LabelledUtterance, frame_labels_of, read_corpus
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.features.variables import check_user_variables
-from phonemeengine.labels.label import CORE
+from phonemeengine.labels.utterance import CORE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset

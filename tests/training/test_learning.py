@@ -21,7 +21,7 @@ from phonemeengine.dsp.mel import N_BANDS, silent_log_mels
 from phonemeengine.encoder.live import EncoderStream, build_live_encoder, open_live_encoder
 from phonemeengine.encoder.weights import shapes_of
 from phonemeengine.errors import CorpusError
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.labels.visemes import STANDARD_VISEMES, Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model, OutputHead

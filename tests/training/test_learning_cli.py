@@ -16,7 +16,7 @@ from phonemeengine.calibration.alignment import read_sentence
 from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.sentences import SENTENCES, sentences_in
 from phonemeengine.encoder.live import open_live_encoder
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
 from phonemeengine.recognition.model import load_model

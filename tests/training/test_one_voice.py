@@ -11,10 +11,10 @@ from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import predict
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.encoder.live import build_live_encoder
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import load_preset
-from phonemeengine.recognition.confidence import UNFITTED
+from phonemeengine.recognition.scores import UNFITTED
 from phonemeengine.settings import ModelKind
 from phonemetraining.config import TrainingConfig
 from phonemetraining.model_card import model_card

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from phonemeengine.calibration.fine_tuning import N_SOFT_LABELS
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemetraining.realignment import FARTHEST, evidence_of, moves_of, realigned
 

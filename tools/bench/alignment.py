@@ -19,8 +19,7 @@ from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import Float64Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, read_corpus
-from phonemeengine.labels.label import Label
-from phonemeengine.labels.utterance import Phone, Utterance
+from phonemeengine.labels.utterance import Label, Phone, Utterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import FRAME_PERIOD

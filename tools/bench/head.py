@@ -15,9 +15,8 @@ from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer, offscreen_context
 from phonemeanalyser.rendering.renderer import HeadRenderer
 from phonemeanalyser.rendering.surface import subdivided
-from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.mesh import AlphaMode, Material, Texture
-from phonemeengine.mouth.morph_mesh import MorphMesh
+from phonemeengine.mouth.morph_mesh import MorphMesh, load_head
 from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme

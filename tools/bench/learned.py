@@ -13,7 +13,7 @@ from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.fine_tuning import example_of, sound_of, whisper_mels_of
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.encoder.model_folder import has_whisper
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.labels.files import read_labels
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.model_choice import (

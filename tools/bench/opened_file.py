@@ -18,7 +18,7 @@ from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.inspection.whole_sound import FrameState
 from phonemeengine.labels.files import read_raw_labels
-from phonemeengine.labels.phoneme_map import PhonemeMap
+from phonemeengine.labels.phone_sets import PhonemeMap
 from phonemeengine.labels.textgrid import Tier
 from phonemeengine.presets.files import THESIS_PRESET, preset_path
 from tools.bench.desktop import live_for, shown_desktop, written_speech

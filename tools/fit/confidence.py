@@ -10,7 +10,7 @@ from tqdm import tqdm
 from phonemeengine import EngineError, load_preset, save_preset
 from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.calibration.scores.evaluation import confidence_of, predict
-from phonemeengine.recognition.confidence import UNFITTED
+from phonemeengine.recognition.scores import UNFITTED
 
 
 def main() -> int:

@@ -26,13 +26,11 @@ from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder,
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, frame_labels_of, read_corpus
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.errors import EngineError
-from phonemeengine.features.measure import Features
-from phonemeengine.features.variables import Variable
+from phonemeengine.features.variables import Features, Variable
 from phonemeengine.presets.files import save_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import Rule, RuleRecogniser
-from phonemeengine.recognition.smoothing import SUCCESSORS, PhonemeSmoother
+from phonemeengine.recognition.rules import Rule, RuleRecogniser, Thresholds
+from phonemeengine.recognition.segments import SUCCESSORS, PhonemeSmoother
 from phonemeengine.recognition.spec import OWN_RULES
 
 GAINS = (-6.0, 6.0)

@@ -25,11 +25,11 @@ from phonemeengine.calibration.fits.threshold_search import LEAST_EXCLUDED, LEAS
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, frame_labels_of, read_corpus
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.errors import EngineError
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.presets.files import save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.rules import ThesisRules
-from phonemeengine.recognition.smoothing import PhonemeSmoother
+from phonemeengine.recognition.segments import PhonemeSmoother
 from phonemeengine.settings import AnalysisSettings, Decimation
 
 HIGH_PASSES = ((20, 20), (60, 60))

@@ -25,10 +25,9 @@ from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
 from phonemeengine.mouth.curves_file import read_curves
 from phonemeengine.mouth.exports.livelink import lines_of
-from phonemeengine.mouth.expression.channels import SHIPPED as CHANNELS
-from phonemeengine.mouth.expression.channels import load_channels
 from phonemeengine.mouth.expression.streams import SHIPPED as EXPRESSIONS
-from phonemeengine.mouth.expression.streams import load_expressions
+from phonemeengine.mouth.expression.streams import SHIPPED_CHANNELS as CHANNELS
+from phonemeengine.mouth.expression.streams import load_channels, load_expressions
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.files.obj import parse_obj
@@ -41,13 +40,13 @@ from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformanceDriver, PerformanceOptions
 from phonemeengine.performance.face_csv import read_face_csv
+from phonemeengine.performance.face_track import read_vmc
 from phonemeengine.performance.gltf_face import parse_gltf_face
 from phonemeengine.performance.head_driver import HeadDriver
 from phonemeengine.performance.keywords import USUAL_KEYWORDS, load_keywords
 from phonemeengine.performance.recording import HEAD, phones_of
 from phonemeengine.performance.table_file import PerformanceTable, write_table
 from phonemeengine.performance.units import UnitKind
-from phonemeengine.performance.vmc import read_vmc
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
 from phonemeengine.recognition.model import load_model, save_model

@@ -20,7 +20,7 @@ from phonemeengine import ExportOptions, IdleMotion, SoundReader, load_head, loa
 from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import UInt8Array
 from phonemeengine.labels.files import read_labels
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.mouth.transcript import Transcript, transcript_of
 from phonemeengine.phonemes import Phoneme
 

@@ -18,8 +18,8 @@ from phonemeanalyser.rendering.renderer import colour_of
 from phonemeanalyser.rendering.surface import subdivided
 from phonemeengine.arrays import UInt8Array
 from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.head import Head, load_head
 from phonemeengine.mouth.idle_motion import HeadPose
+from phonemeengine.mouth.morph_mesh import Head, load_head
 from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme

@@ -9,8 +9,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Protocol
 
-from phonemeengine.batch.order import failed, order_of, worked_through
-from phonemeengine.batch.pool import Pool, n_cores
+from phonemeengine.batch.order import Pool, failed, n_cores, order_of, worked_through
 from phonemeengine.batch.record import BatchRecord, FolderLock, sweep
 from phonemeengine.batch.work import Act, Job, JobState, Outcome, Work, fingerprint_of
 from phonemeengine.errors import BatchError

@@ -34,9 +34,9 @@ from phonemeengine.labels.visemes import NO_VISEME, STANDARD_VISEMES, VisemeSet
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.model_choice import states_in, with_real_time_model
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.learned import states_ahead
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import Layer, Network, StreamingLayer
-from phonemeengine.recognition.real_time import states_ahead
 from phonemeengine.recognition.scores import MOST_LOG_ODDS
 from phonemeengine.settings import SAMPLE_RATE, ModelKind
 

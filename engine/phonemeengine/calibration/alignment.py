@@ -19,9 +19,8 @@ from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.sentences import Sentence
 from phonemeengine.calibration.takes.take import TRIMMED
 from phonemeengine.errors import TakeError
-from phonemeengine.labels.label import CORE, Label
 from phonemeengine.labels.phone_sets import phone_classes_in
-from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance
+from phonemeengine.labels.utterance import CORE, UNKNOWN_WORD, Label, Utterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.model_choice import for_files

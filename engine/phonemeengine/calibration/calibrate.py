@@ -30,7 +30,7 @@ from phonemeengine.calibration.takes.room_noise import SilenceAccuracy, measure_
 from phonemeengine.calibration.takes.take import TRIMMED
 from phonemeengine.errors import CorpusError, RecogniserError
 from phonemeengine.execution import Progress, no_progress, report_progress, subrange
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.model_choice import for_files, recogniser_for, states_in, with_real_time_model
 from phonemeengine.presets.preset import Judgement, Preset

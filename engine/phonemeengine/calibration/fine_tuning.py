@@ -17,7 +17,7 @@ from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.mel import FLOOR, mel_powers, warped_mel_bank
 from phonemeengine.encoder.weights import N_MELS
 from phonemeengine.encoder.whisper import whisper_log_mels
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import OutputHead

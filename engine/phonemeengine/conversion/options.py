@@ -27,7 +27,7 @@ from phonemeengine.mouth.expression.composer import Expression
 from phonemeengine.mouth.expression.felt import FeelingAmounts
 from phonemeengine.mouth.expression.streams import ExpressionStream, expression_presets, held_expression
 from phonemeengine.mouth.face_driver import NEEDS_FILE, FaceDriver
-from phonemeengine.mouth.head import Framing
+from phonemeengine.mouth.morph_mesh import Framing
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.style import NEUTRAL, load_style, shipped_styles

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.encoder import onnx_file
+from phonemeengine.encoder import onnx
 from phonemeengine.encoder.weights import N_MELS
 
 Weights = Mapping[str, Float32Array]
@@ -164,7 +164,7 @@ class _Graph:
     def constant(self, array: NDArray[Any]) -> str:
         """Add an array that is the same in all calls."""
         name = f"c{len(self._constants)}"
-        self._constants.append(onnx_file.tensor(name, array))
+        self._constants.append(onnx.tensor(name, array))
         return name
 
     def integers(self, *values: int) -> str:
@@ -178,7 +178,7 @@ class _Graph:
     def node(self, kind: str, *inputs: str, **attributes: Any) -> str:
         """Add a node with one result."""
         name = f"n{len(self._nodes)}"
-        self._nodes.append(onnx_file.node(kind, inputs, [name], **attributes))
+        self._nodes.append(onnx.node(kind, inputs, [name], **attributes))
         return name
 
     def slice(self, array: str, start: str, end: str, axis: int) -> str:
@@ -188,7 +188,7 @@ class _Graph:
     def halves(self, array: str, axis: int) -> tuple[str, str]:
         """Add the two halves of an array along an axis."""
         names = f"n{len(self._nodes)}", f"n{len(self._nodes)}_second"
-        self._nodes.append(onnx_file.node("Split", [array], names, axis=axis, num_outputs=2))
+        self._nodes.append(onnx.node("Split", [array], names, axis=axis, num_outputs=2))
         return names
 
     def length(self, array: str, axis: int) -> str:
@@ -223,7 +223,7 @@ class _Graph:
         # one operator in place of a product, a conversion and two scales: at a state a time, operators cost as much
         # as the work
         factors = self.constant(quantised.T), step, self.constant(scales), zero
-        product = self.node("MatMulIntegerToFloat", as_bytes, *factors, domain=onnx_file.CONTRIBUTED)
+        product = self.node("MatMulIntegerToFloat", as_bytes, *factors, domain=onnx.CONTRIBUTED)
         if self._n_roundings == 2:
             product, fine = self.halves(product, 1)
             product = self.node("Add", product, self.node("Mul", fine, self.number(1 / FINER)))
@@ -237,17 +237,17 @@ class _Graph:
         kept: Mapping[str, NDArray[Any]] | None = None,
     ) -> bytes:
         """Return the model's file: inputs of these shapes, outputs that are these nodes, others that are arrays."""
-        ends = [onnx_file.node("Identity", [found], [name]) for name, found in outputs.items()]
+        ends = [onnx.node("Identity", [found], [name]) for name, found in outputs.items()]
         kept = kept or {}
-        ends += [onnx_file.node("Identity", [self.constant(array)], [name]) for name, array in kept.items()]
+        ends += [onnx.node("Identity", [self.constant(array)], [name]) for name, array in kept.items()]
         kinds = {name: np.int64 if name in _INTEGERS else np.float32 for name in inputs}
-        return onnx_file.model(
+        return onnx.model(
             [*self._nodes, *ends],
             self._constants,
-            [onnx_file.port(name, kinds[name], shape) for name, shape in inputs.items()],
+            [onnx.port(name, kinds[name], shape) for name, shape in inputs.items()],
             [
-                *(onnx_file.port(name, np.float32, None) for name in outputs),
-                *(onnx_file.port(name, array.dtype, array.shape) for name, array in kept.items()),
+                *(onnx.port(name, np.float32, None) for name in outputs),
+                *(onnx.port(name, array.dtype, array.shape) for name, array in kept.items()),
             ],
             metadata,
         )
@@ -313,7 +313,7 @@ def _whole_attention(graph: _Graph, weights: Weights, layer: int, states: str) -
     both = _linear(graph, weights, f"{name}/linear_0", _norm(graph, weights, f"{name}/layer_norm", states))
     n = len(weights[f"{name}/linear_1/bias"])
     parts = [graph.slice(both, graph.integers(k * n), graph.integers((k + 1) * n), 2) for k in range(3)]
-    return graph.node("MultiHeadAttention", *parts, domain=onnx_file.CONTRIBUTED, num_heads=n // HEAD_SIZE)
+    return graph.node("MultiHeadAttention", *parts, domain=onnx.CONTRIBUTED, num_heads=n // HEAD_SIZE)
 
 
 def _attention(graph: _Graph, parts: _HeadInputs, layer: int, bias: str) -> str:

@@ -20,7 +20,7 @@ from typing_extensions import override
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.encoder.graph import HEAD_SIZE, N_HALVES, SLOTS, Weights, live_graph, live_inputs
 from phonemeengine.encoder.head import N_OUTPUTS
-from phonemeengine.encoder.runtime import has_runtime, open_session
+from phonemeengine.encoder.onnx import has_runtime, open_session
 from phonemeengine.encoder.weights import N_MELS
 from phonemeengine.encoder.whisper import LEAST_POWER, SILENT, WHISPER_LICENCE, RunningScale
 from phonemeengine.errors import ModelError

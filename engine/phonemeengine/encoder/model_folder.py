@@ -10,7 +10,7 @@ from functools import lru_cache
 from importlib.util import find_spec
 from pathlib import Path
 
-from phonemeengine.encoder.runtime import first_line
+from phonemeengine.encoder.onnx import first_line
 from phonemeengine.encoder.whisper import LAYER, MODEL_FILE, WHISPER_LICENCE, SpeechEncoder, WhisperEncoder
 from phonemeengine.errors import ModelError
 from phonemeengine.storage.files import read_text_file, write_file

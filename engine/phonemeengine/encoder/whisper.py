@@ -14,7 +14,7 @@ from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.audio.resampling import resample_whole
 from phonemeengine.dsp.framing import LEAD
 from phonemeengine.encoder.graph import whole_graph
-from phonemeengine.encoder.runtime import first_line, open_session
+from phonemeengine.encoder.onnx import first_line, open_session
 from phonemeengine.encoder.weights import N_MELS, N_STATES, read_weights
 from phonemeengine.errors import ModelError
 from phonemeengine.execution import threads_allowed

@@ -14,8 +14,7 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.features.variables import BUILT_IN_NAMES
 from phonemeengine.labels import textgrid
 from phonemeengine.labels.audacity import format_audacity
-from phonemeengine.labels.label import Label
-from phonemeengine.labels.utterance import Phone, Utterance, Word
+from phonemeengine.labels.utterance import Label, Phone, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme

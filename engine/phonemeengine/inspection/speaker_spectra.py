@@ -19,8 +19,8 @@ from phonemeengine.execution import Progress, no_progress, report_progress, subr
 from phonemeengine.inspection.averaged_spectrum import AveragedSpectrum, SoundPart, SpectrumAverage
 from phonemeengine.inspection.measurement import frames_between
 from phonemeengine.inspection.whole_sound import tracks_of
-from phonemeengine.labels.label import CORE
-from phonemeengine.labels.phoneme_map import PhonemeMap
+from phonemeengine.labels.phone_sets import PhonemeMap
+from phonemeengine.labels.utterance import CORE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, AnalysisSettings, Channel

@@ -21,8 +21,7 @@ from phonemeengine.calibration.workbench.retuner import Retuner, front_end_key, 
 from phonemeengine.dsp.framing import frame_count
 from phonemeengine.dsp.waveform_peaks import WaveformPeaks
 from phonemeengine.execution import Progress, no_progress, report_progress, subrange
-from phonemeengine.features.measure import Features
-from phonemeengine.features.variables import SCORES
+from phonemeengine.features.variables import SCORES, Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.model_choice import for_files, while_played
 from phonemeengine.presets.preset import Preset

@@ -8,8 +8,7 @@ double quotes are words: a track holds them beside the sounds, and readers of th
 from collections.abc import Iterable, Sequence
 
 from phonemeengine.errors import CorpusError
-from phonemeengine.labels.label import Label, RawLabel
-from phonemeengine.labels.utterance import Word
+from phonemeengine.labels.utterance import Label, RawLabel, Word
 
 FREQUENCIES = "\\"
 """What a line with frequencies begins with."""

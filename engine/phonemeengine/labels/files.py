@@ -6,10 +6,10 @@ from pathlib import Path
 
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels import audacity, table
-from phonemeengine.labels.label import Label, RawLabel, in_order
-from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
+from phonemeengine.labels.phone_sets import PhonemeMap, labels_named
 from phonemeengine.labels.table import read_text, write_text
 from phonemeengine.labels.textgrid import Tier, format_textgrid, tiers_of
+from phonemeengine.labels.utterance import Label, RawLabel, in_order
 from phonemeengine.storage.files import printable_name
 
 LABEL_SUFFIXES = (".textgrid", ".csv", ".txt")

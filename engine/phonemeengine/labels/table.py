@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from phonemeengine.errors import CorpusError
-from phonemeengine.labels.label import CORE, Label, RawLabel
+from phonemeengine.labels.utterance import CORE, Label, RawLabel
 from phonemeengine.storage.files import read_text_file, write_file
 
 # Text files of labels: read whatever encoding Praat writes, and written so that a half one never shows.

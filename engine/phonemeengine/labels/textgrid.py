@@ -15,7 +15,7 @@ from typing_extensions import override
 
 from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Closing
-from phonemeengine.labels.label import ROUNDING, Label, RawLabel
+from phonemeengine.labels.utterance import ROUNDING, Label, RawLabel
 from phonemeengine.storage.files import begins_like
 
 INTERVALS, POINTS = "IntervalTier", "TextTier"

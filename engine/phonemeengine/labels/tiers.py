@@ -8,9 +8,9 @@ from pathlib import Path
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels import audacity, table
 from phonemeengine.labels.files import LABEL_SUFFIXES
-from phonemeengine.labels.label import CORE, ROUNDING, RawLabel, in_order
 from phonemeengine.labels.table import read_text, write_text
 from phonemeengine.labels.textgrid import Tier, format_grid, tiers_of
+from phonemeengine.labels.utterance import CORE, ROUNDING, RawLabel, in_order
 from phonemeengine.storage.files import printable_name
 
 SHORTEST = 0.005

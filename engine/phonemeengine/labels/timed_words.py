@@ -12,10 +12,10 @@ from typing import Any
 
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels.files import TIER_NAMES
-from phonemeengine.labels.label import in_order
 from phonemeengine.labels.phone_sets import marks_silence
 from phonemeengine.labels.table import read_text
 from phonemeengine.labels.textgrid import Tier, tiers_of
+from phonemeengine.labels.utterance import in_order
 from phonemeengine.storage.files import printable_name
 
 WORD_TIER = "word"

@@ -14,14 +14,21 @@ from typing_extensions import override
 from phonemeengine.errors import CorpusError, TextError
 from phonemeengine.execution import Closing
 from phonemeengine.labels.files import TIER_NAMES, names_in
-from phonemeengine.labels.label import LONGEST_OVERHANG, ROUNDING, RawLabel, in_order
-from phonemeengine.labels.phone_sets import marks_silence
-from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
+from phonemeengine.labels.phone_sets import PhonemeMap, labels_named, marks_silence
 from phonemeengine.labels.pinyin import sound_of, timed_syllable
 from phonemeengine.labels.table import read_text
 from phonemeengine.labels.textgrid import Interval, Tier, TierSpool, grid_lines, length_of, tiers_of
 from phonemeengine.labels.timed_words import SYLLABLE_TIER, WORD_TIER, tiers_of_speaker
-from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
+from phonemeengine.labels.utterance import (
+    LONGEST_OVERHANG,
+    ROUNDING,
+    Phone,
+    RawLabel,
+    Syllable,
+    Utterance,
+    Word,
+    in_order,
+)
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.storage.files import printable_name
 

@@ -18,7 +18,7 @@ from phonemeengine.mouth.table import MouthTable, load_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.model_choice import for_live_use, with_small_network
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.real_time import real_time_look_ahead
+from phonemeengine.recognition.learned import real_time_look_ahead
 from phonemeengine.recognition.spec import spec_of
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW, ModelKind
 from phonemeengine.text.pronunciation import ScriptWord

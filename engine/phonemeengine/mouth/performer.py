@@ -23,11 +23,10 @@ from phonemeengine.mouth.cues import MOST_ANTICIPATION, Cue, PlannedMovement, jo
 from phonemeengine.mouth.expression.composer import Composer, Expression, Inhibition
 from phonemeengine.mouth.idle_motion import Blinker, HeadMotion, HeadPose
 from phonemeengine.mouth.key_layer import NO_KEYS, KeyLayer
-from phonemeengine.mouth.morpher import Detail, Morpher
+from phonemeengine.mouth.morpher import Detail, Morpher, VisemeOverride
 from phonemeengine.mouth.style_numbers import GestureNumbers
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.mouth.transcript import Transcript
-from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment
 from phonemeengine.settings import FRAME_PERIOD

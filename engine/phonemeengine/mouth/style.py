@@ -18,8 +18,8 @@ import tomli_w
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError, check_range, remedy
 from phonemeengine.mouth.blendshape_names import ARKIT, TONGUE, both_sides
-from phonemeengine.mouth.expression.channels import columns_of, shipped_channels
 from phonemeengine.mouth.expression.composer import Expression, InhibitionTimes
+from phonemeengine.mouth.expression.streams import columns_of, shipped_channels
 from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.poses import USUAL_POSES, USUAL_TONGUE, Pose, PoseTable, load_poses, pose_numbers
 from phonemeengine.mouth.style_numbers import FilterNumbers, GestureNumbers, MovementNumbers, PoseNumbers

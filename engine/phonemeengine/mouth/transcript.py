@@ -15,8 +15,7 @@ from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array, Float64Array, ShortRepr
 from phonemeengine.features.feeling import NO_FEELINGS, FeelingEstimator, FeltFrames
 from phonemeengine.features.front_end import F0
-from phonemeengine.labels.phone_sets import ARTICULATIONS, letters_of, phone_classes_in
-from phonemeengine.labels.phoneme_map import CLOSURE
+from phonemeengine.labels.phone_sets import ARTICULATIONS, CLOSURE, letters_of, phone_classes_in
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Phone, Utterance, Word
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment, SegmentBuilder

@@ -27,12 +27,11 @@ from phonemeengine.labels.table import read_text, rows_of
 from phonemeengine.labels.utterance import Syllable, Utterance, Word
 from phonemeengine.labels.utterance_files import read_utterance
 from phonemeengine.performance.face_csv import read_face_csv
-from phonemeengine.performance.face_track import LONGEST_GAP, FaceTrack
+from phonemeengine.performance.face_track import LONGEST_GAP, FaceTrack, read_vmc
 from phonemeengine.performance.gltf_face import read_gltf_face
 from phonemeengine.performance.keywords import plain_words
 from phonemeengine.performance.recording import Performance, PerformedPhone, phones_of
 from phonemeengine.performance.table_file import TableAbout, write_table
-from phonemeengine.performance.vmc import read_vmc
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from phonemeengine.storage.files import printable_name
 from phonemeengine.storage.strict_table import load_text, parse_toml

@@ -24,6 +24,7 @@ from phonemeengine.performance.choice import (
     chosen_examples,
     notes_on,
     placed_units,
+    recorded_strings,
 )
 from phonemeengine.performance.halves import Recordings, bounds_of
 from phonemeengine.performance.keywords import Keywords
@@ -39,7 +40,6 @@ from phonemeengine.performance.smoothing import (
 )
 from phonemeengine.performance.table_file import PerformanceTable
 from phonemeengine.performance.units import Sentence, UnitKind
-from phonemeengine.performance.word_strings import recorded_strings
 from phonemeengine.text.syllables import is_vowel
 
 # The tongue, which no camera sees: a pose for each sound, as the style has them.

@@ -15,8 +15,7 @@ from phonemeengine.mouth.blendshape_names import OPENFACE_POSE, STRONGEST_UNIT
 from phonemeengine.mouth.exports.openface import head_turns
 from phonemeengine.mouth.expression.streams import ExpressionStream, recorded_expression
 from phonemeengine.mouth.face_mapping import shapes_moved_by
-from phonemeengine.performance.face_track import FaceTrack, captured
-from phonemeengine.performance.livelink import numbers_of, parse_livelink
+from phonemeengine.performance.face_track import FaceTrack, captured, numbers_of, parse_livelink
 from phonemeengine.performance.recording import HEAD
 from phonemeengine.storage.files import printable, printable_name, read_text_file
 

@@ -32,9 +32,8 @@ from phonemeengine.performance.face_network import (
     windows_of,
 )
 from phonemeengine.performance.face_track import shape_name
-from phonemeengine.performance.recording import Performance, PerformedPhone
+from phonemeengine.performance.recording import Basis, Performance, PerformedPhone
 from phonemeengine.performance.table_file import PerformanceTable, TableAbout, write_table
-from phonemeengine.performance.table_rows import Basis
 from phonemeengine.recognition.model import Model
 from phonemeengine.settings import FRAME_PERIOD
 

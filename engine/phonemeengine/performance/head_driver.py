@@ -13,11 +13,10 @@ from phonemeengine.arrays import Float32Array, Float64Array, IndexArray
 from phonemeengine.mouth.idle_motion import HeadMotion
 from phonemeengine.mouth.style_numbers import GestureNumbers
 from phonemeengine.performance.keywords import CHANNELS, Gesture, Keywords, joined_words, load_keywords, phrases_in
-from phonemeengine.performance.phrases import Phrase, PhraseMatch, PhraseMatchKind, phrases_of
 from phonemeengine.performance.recording import HEAD, SILENCE, Performance
 from phonemeengine.performance.smoothing import MonotoneCubics, crossed, low_passed
 from phonemeengine.performance.table_file import PerformanceTable
-from phonemeengine.performance.units import Sentence
+from phonemeengine.performance.units import Phrase, PhraseMatch, PhraseMatchKind, Sentence, phrases_of
 
 CUTOFF = 6.0
 """Hertz above which the filter takes movement away: a shake of the head has 2 to 4."""

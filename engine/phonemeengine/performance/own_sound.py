@@ -37,6 +37,7 @@ from phonemeengine.performance.choice import (
     chosen_examples,
     notes_on,
     placed_units,
+    recorded_strings,
 )
 from phonemeengine.performance.corpus import measured, pitches_of
 from phonemeengine.performance.driver import FACE
@@ -45,7 +46,6 @@ from phonemeengine.performance.keywords import joined_words, phrases_in
 from phonemeengine.performance.recording import HEAD, SILENCE, Performance, PerformedPhone, phones_of
 from phonemeengine.performance.table_file import Example, PerformanceTable
 from phonemeengine.performance.units import PAUSE, Sentence, Unit, UnitKind, sentences_in
-from phonemeengine.performance.word_strings import recorded_strings
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from phonemeengine.storage.files import printable, reason_of
 

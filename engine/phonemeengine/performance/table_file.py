@@ -24,12 +24,12 @@ from typing_extensions import override
 
 from phonemeengine.errors import EngineError, PerformanceError
 from phonemeengine.execution import Closing
-from phonemeengine.performance.phrases import PhraseIndex
-from phonemeengine.performance.recording import Performance, PerformedPhone
-from phonemeengine.performance.table_rows import (
+from phonemeengine.performance.recording import (
     LARGEST_WEIGHTS,
     Basis,
     DamageError,
+    Performance,
+    PerformedPhone,
     basis_of,
     clips_of,
     phone_of,
@@ -40,7 +40,7 @@ from phonemeengine.performance.table_rows import (
     weights_of,
     whole_of,
 )
-from phonemeengine.performance.units import STRINGS, UnitKind, duration_of, units_of
+from phonemeengine.performance.units import STRINGS, PhraseIndex, UnitKind, duration_of, units_of
 from phonemeengine.storage.files import atomic_write, printable, printable_name, reason_of
 
 VERSION, PLAIN = 2, 1

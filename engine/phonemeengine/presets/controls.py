@@ -13,8 +13,16 @@ import numpy as np
 from phonemeengine.features.variables import DEFICITS, SCORES, Spectrum, readable_name
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, RULE_FIELDS, PhonemeData, Thresholds
-from phonemeengine.recognition.rules import CONDITIONS, Condition, Rule, active_rules
+from phonemeengine.recognition.rules import (
+    CONDITIONS,
+    FILTER_FIELDS,
+    RULE_FIELDS,
+    Condition,
+    PhonemeData,
+    Rule,
+    Thresholds,
+    active_rules,
+)
 from phonemeengine.recognition.scores import MOST_LOG_ODDS, deficits_of
 from phonemeengine.recognition.spec import Recogniser, Tuning, spec_of
 from phonemeengine.settings import BIN_WIDTH, HINTS, PARAMETERS, Filter

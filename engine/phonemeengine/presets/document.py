@@ -20,11 +20,10 @@ from phonemeengine.errors import ModelError, PresetError, SettingsError
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset, judgement_of
-from phonemeengine.recognition.confidence import ConfidenceCurve
 from phonemeengine.recognition.model import load_model
-from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData, PitchSet
-from phonemeengine.recognition.rules import Condition, Rule
-from phonemeengine.recognition.smoothing import SUCCESSORS
+from phonemeengine.recognition.rules import FILTER_FIELDS, Condition, PhonemeData, PitchSet, Rule
+from phonemeengine.recognition.scores import ConfidenceCurve
+from phonemeengine.recognition.segments import SUCCESSORS
 from phonemeengine.recognition.spec import THESIS
 from phonemeengine.recognition.templates import UNTEMPLATED, Templates
 from phonemeengine.settings import OLD_MODEL_KINDS, PARAMETERS, STAGES, AnalysisSettings, Filter, ModelKind

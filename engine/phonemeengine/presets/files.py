@@ -19,7 +19,7 @@ from phonemeengine.errors import EngineError, ModelError, PresetError, remedy
 from phonemeengine.presets.document import FRONT_END, INTENSITY, STATISTICS, preset_from_toml, preset_to_toml
 from phonemeengine.presets.preset import Preset, judgement_of
 from phonemeengine.recognition.model import load_model, save_model
-from phonemeengine.recognition.phoneme_data import LAYOUT, PhonemeData
+from phonemeengine.recognition.rules import LAYOUT, PhonemeData
 from phonemeengine.recognition.spec import spec_of
 from phonemeengine.storage.files import read_text_file, write_file
 from phonemeengine.storage.paths import presets_folder

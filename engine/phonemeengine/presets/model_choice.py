@@ -9,14 +9,19 @@ from dataclasses import replace
 from phonemeengine.arrays import Float32Array
 from phonemeengine.encoder.live import open_live_encoder
 from phonemeengine.encoder.model_folder import has_whisper, open_whisper
-from phonemeengine.encoder.runtime import has_runtime
+from phonemeengine.encoder.onnx import has_runtime
 from phonemeengine.errors import ModelError
 from phonemeengine.labels.visemes import STANDARD_VISEMES
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.decoder import lag_of
-from phonemeengine.recognition.learned import EncodedRecogniser, LearnedRecogniser
+from phonemeengine.recognition.learned import (
+    EncodedRecogniser,
+    LearnedRecogniser,
+    RealTimeRecogniser,
+    real_time_look_ahead,
+    states_ahead,
+)
 from phonemeengine.recognition.model import LookAheadFigures, figures_by_look_ahead
-from phonemeengine.recognition.real_time import RealTimeRecogniser, real_time_look_ahead, states_ahead
 from phonemeengine.recognition.scores import Sensitivity
 from phonemeengine.recognition.searched import searched
 from phonemeengine.recognition.spec import Recogniser, Tuning, recogniser_of, spec_of

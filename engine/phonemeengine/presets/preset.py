@@ -14,13 +14,11 @@ from phonemeengine.encoder.live import LiveEncoder
 from phonemeengine.errors import PresetError
 from phonemeengine.features.variables import BUILT_IN_NAMES, Variable, check_user_variables
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve
 from phonemeengine.recognition.decoder import Confusions, Decoder, ScoreSearch, check_confusions
 from phonemeengine.recognition.model import Model
-from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData, PitchSet, Thresholds
-from phonemeengine.recognition.rules import Rule
-from phonemeengine.recognition.scores import NO_SENSITIVITIES, check_sensitivities
-from phonemeengine.recognition.smoothing import SUCCESSORS
+from phonemeengine.recognition.rules import FILTER_FIELDS, PhonemeData, PitchSet, Rule, Thresholds
+from phonemeengine.recognition.scores import NO_SENSITIVITIES, UNFITTED, ConfidenceCurve, check_sensitivities
+from phonemeengine.recognition.segments import SUCCESSORS
 from phonemeengine.recognition.spec import THESIS, RecogniserConfig, Tuning, check_recogniser, spec_of
 from phonemeengine.recognition.templates import Templates
 from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Decoding, ModelKind

@@ -4,8 +4,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from phonemeengine.errors import PresetError
-from phonemeengine.features.measure import Features
-from phonemeengine.features.variables import Variable, readable_name
+from phonemeengine.features.variables import Features, Variable, readable_name
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.rules import DEFAULT_RULE, Condition, Rule, limit_of, rule_faults, rule_labels
 from phonemeengine.recognition.scores import Trace

@@ -18,7 +18,7 @@ from typing_extensions import override
 
 from phonemeengine.arrays import BoolArray, Float32Array, IndexArray, UInt8Array
 from phonemeengine.errors import PresetError
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
 from phonemeengine.recognition.rules import RuleRecogniser
 from phonemeengine.recognition.scores import LEAST_SHARE, Recognition, Trace

@@ -20,10 +20,10 @@ import numpy as np
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import AudioError, CorpusError, RecogniserError
 from phonemeengine.execution import Cancelled
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.labels.visemes import VisemeSet
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.rules import Thresholds
 from phonemeengine.recognition.scores import Recognition, RuleComparison, Trace
 
 GROUP = "phonemeanalyser.recognisers"

@@ -7,7 +7,7 @@ file can wait to see whether a change lasts: it changes as seldom, and on time.
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, UInt8Array
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.recognition.decoder import ScoreSearch, SoundDecoder, evidence_in
 from phonemeengine.recognition.scores import SCORES, Recognition, ScoredRecogniser
 from phonemeengine.recognition.spec import Finishing, Recogniser

@@ -14,14 +14,21 @@ from typing import Any, Protocol, runtime_checkable
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import PresetError, RecogniserError
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.decoder import DecodedRules, Decoder
 from phonemeengine.recognition.learned import LearnedRecogniser
 from phonemeengine.recognition.model import Model
-from phonemeengine.recognition.phoneme_data import PitchSet, Thresholds
 from phonemeengine.recognition.plug_ins import PlugIn, call_foreign, package_of, plug_ins
-from phonemeengine.recognition.rules import RULES, PitchSetRules, Rule, RuleRecogniser, ThesisRules
+from phonemeengine.recognition.rules import (
+    RULES,
+    PitchSet,
+    PitchSetRules,
+    Rule,
+    RuleRecogniser,
+    ThesisRules,
+    Thresholds,
+)
 from phonemeengine.recognition.scores import NO_SENSITIVITIES, SCORES, Recognition, Trace
 from phonemeengine.recognition.templates import TemplateRecogniser, Templates
 

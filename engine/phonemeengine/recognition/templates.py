@@ -9,7 +9,7 @@ import numpy as np
 from phonemeengine.arrays import LARGEST_FLOAT32, Float32Array, ShortRepr
 from phonemeengine.dsp.mel import N_CEPSTRA, cepstra_of, log_mels
 from phonemeengine.errors import SettingsError, check_range
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.scores import NO_SENSITIVITIES, Recognition, ScoredRecogniser, Sensitivity
 

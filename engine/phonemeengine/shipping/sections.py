@@ -11,7 +11,6 @@ from phonemeengine.dsp.mel import FLOOR, cepstral_cosines, mel_bank, mel_edges, 
 from phonemeengine.dsp.spectrum import SpectrumAnalyser, window_of
 from phonemeengine.errors import PresetError
 from phonemeengine.features.front_end import shaper_of
-from phonemeengine.features.measure import reach_of
 from phonemeengine.features.variables import (
     BAND_VARIABLES,
     ENERGY_VARIABLES,
@@ -19,6 +18,7 @@ from phonemeengine.features.variables import (
     Kind,
     Spectrum,
     Variable,
+    reach_of,
 )
 from phonemeengine.labels.visemes import STANDARD_VISEMES, VisemeSet
 from phonemeengine.mouth.table import MouthTable
@@ -28,8 +28,7 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.decoder import Decoder
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.rules import Rule, RuleRecogniser
-from phonemeengine.recognition.segments import line_of
-from phonemeengine.recognition.smoothing import frames_held
+from phonemeengine.recognition.segments import frames_held, line_of
 from phonemeengine.recognition.spec import RecogniserSpec, Tuning, spec_of
 from phonemeengine.recognition.templates import Templates
 from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filter, WindowFunction

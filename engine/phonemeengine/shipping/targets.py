@@ -15,7 +15,7 @@ from pathlib import Path
 
 import phonemeengine
 from phonemeengine.errors import ExportError, remedy
-from phonemeengine.mouth.exports.glb import shipped_glb
+from phonemeengine.mouth.exports.gltf import shipped_glb
 from phonemeengine.mouth.table import load_table
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import ModelKind

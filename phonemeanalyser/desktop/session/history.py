@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import BoolArray, Float32Array, IndexArray
 from phonemeengine.dsp.framing import LEAD
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import NO_PHONEME
 from phonemeengine.recognition.segments import count_changes
 from phonemeengine.settings import FRAME_PERIOD, HOP, WINDOW

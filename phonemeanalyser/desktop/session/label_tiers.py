@@ -19,8 +19,7 @@ from phonemeengine.calibration.scores.scoring import LabelError, error_spans, la
 from phonemeengine.errors import CorpusError, EngineError, UnknownPhonemeError
 from phonemeengine.inspection.whole_sound import FrameState, SoundTracks
 from phonemeengine.labels.files import known_labels, phoneme_tier_of
-from phonemeengine.labels.label import CORE, ROUNDING, Label
-from phonemeengine.labels.phoneme_map import PhonemeMap
+from phonemeengine.labels.phone_sets import PhonemeMap
 from phonemeengine.labels.textgrid import Tier
 from phonemeengine.labels.tiers import (
     check_room,
@@ -37,6 +36,7 @@ from phonemeengine.labels.tiers import (
     split,
     write_tiers,
 )
+from phonemeengine.labels.utterance import CORE, ROUNDING, Label
 from phonemeengine.storage.files import printable_name
 
 MOST_SHOWN = 3

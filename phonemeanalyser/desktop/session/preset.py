@@ -16,8 +16,7 @@ from phonemeengine.presets import files
 from phonemeengine.presets.controls import Control, ControlGroup, controls_of
 from phonemeengine.presets.model_choice import for_files, for_live_use
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import Rule
+from phonemeengine.recognition.rules import Rule, Thresholds
 from phonemeengine.recognition.spec import Recogniser, Tuning, recogniser_of, spec_of
 from phonemeengine.settings import PARAMETERS, STAGES, AnalysisSettings, Filter, ModelKind
 

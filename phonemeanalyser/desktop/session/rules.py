@@ -17,7 +17,7 @@ from phonemeengine.calibration.fits.limit_search import RuleTrials, with_rule
 from phonemeengine.calibration.scores.scoring import Agreement
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import EngineError
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.inspection.whole_sound import FrameState
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset

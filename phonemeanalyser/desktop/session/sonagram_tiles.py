@@ -20,7 +20,7 @@ from phonemeengine.arrays import Float32Array, IndexArray
 from phonemeengine.dsp.formants import WINDOW_SECONDS, formants_of
 from phonemeengine.dsp.sonagram import LEVELS, SonagramSettings, sonagram_of
 from phonemeengine.execution import Progress, no_progress, report_progress, subrange
-from phonemeengine.features.filtered_sonagram import filtered_sonagram_of
+from phonemeengine.features.front_end import filtered_sonagram_of
 from phonemeengine.presets.preset import PRE_ROLL
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW, AnalysisSettings
 

@@ -14,7 +14,7 @@ from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels
 from phonemeengine.calibration.workbench.distributions import Distribution, Pair, distribution_in, ranked_in
 from phonemeengine.execution import Progress
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.inspection.measurement import frames_between
 from phonemeengine.inspection.whole_sound import FrameState
 from phonemeengine.phonemes import NO_PHONEME

@@ -14,7 +14,7 @@ from phonemeanalyser.desktop.talk.head.head_view import LIGHT_STEP, HeadView
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.pictures import PICTURE_RATES
 from phonemeengine.mouth.files.io import FaceFiles
-from phonemeengine.mouth.head import Framing, Head
+from phonemeengine.mouth.morph_mesh import Framing, Head
 
 
 def talk_commands(talking: TalkModel, dialogs: TalkDialogs) -> Commands:

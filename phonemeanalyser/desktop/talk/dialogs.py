@@ -25,7 +25,7 @@ from phonemeengine.errors import MouthError
 from phonemeengine.labels.table import write_text
 from phonemeengine.mouth.face_mapping import FaceMapping, mapped_table
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES, FaceFiles
-from phonemeengine.mouth.head import Head
+from phonemeengine.mouth.morph_mesh import Head
 from phonemeengine.mouth.table import table_to_toml
 from phonemeengine.storage.files import write_file
 

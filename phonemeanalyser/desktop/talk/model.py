@@ -28,12 +28,11 @@ from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.face_driver import NEEDS_FILE
 from phonemeengine.mouth.face_mapping import guess_mapping
 from phonemeengine.mouth.key_layer import NO_KEYS
-from phonemeengine.mouth.morpher import Detail
+from phonemeengine.mouth.morpher import Detail, VisemeOverride
 from phonemeengine.mouth.movestate import Mode
 from phonemeengine.mouth.performer import IdleMotion, MouthTrack, Performer, TimedFrame, known_frames, timed_frames
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table, shipped_tables
 from phonemeengine.mouth.transcript import Transcript
-from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.performance.driver import FACE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE

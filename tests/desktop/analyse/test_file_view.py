@@ -14,9 +14,8 @@ from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.talk.words.sound_words import KnownWords
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS
 from phonemeengine.dsp.sonagram import FrequencyAxis
-from phonemeengine.labels.label import RawLabel
 from phonemeengine.labels.textgrid import Tier
-from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
+from phonemeengine.labels.utterance import Phone, RawLabel, Syllable, Utterance, Word
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 from tests.desktop.hands import CARDS, click, press, shown, turn_wheel

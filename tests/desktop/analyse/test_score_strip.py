@@ -13,9 +13,9 @@ from phonemeanalyser.desktop.session.time_view import Scope, TimeSpan
 from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.scores.evaluation import score
 from phonemeengine.calibration.scores.scoring import Agreement
-from phonemeengine.labels.label import RawLabel
 from phonemeengine.labels.textgrid import Tier
 from phonemeengine.labels.tiers import write_tiers
+from phonemeengine.labels.utterance import RawLabel
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import load_preset, preset_path
 from phonemeengine.presets.preset import Preset

@@ -16,7 +16,7 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, THESIS_PRESET, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData
+from phonemeengine.recognition.rules import FILTER_FIELDS, PhonemeData
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Filter
 from tests.desktop.hands import DEMO, click, drag, followed, press, shown, type_number, wait_for_results
 from tests.fakes.plug_ins import Shelf, environment_with

@@ -11,8 +11,7 @@ from PySide6.QtGui import QColor
 from phonemeanalyser.desktop.analyse.recognition.threshold_view import CURVATURE
 from phonemeanalyser.desktop.session.preset import PresetDocument
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.phoneme_data import LAYOUT, PhonemeData
-from phonemeengine.recognition.rules import CONDITIONS
+from phonemeengine.recognition.rules import CONDITIONS, LAYOUT, PhonemeData
 from phonemeengine.settings import BIN_WIDTH
 from tests.desktop.hands import click, drag, followed, press, shown, type_number
 

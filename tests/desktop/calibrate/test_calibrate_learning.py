@@ -19,8 +19,8 @@ from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.calibration.takes.quality import check_take
 from phonemeengine.calibration.takes.room_noise import measure_room
 from phonemeengine.errors import CorpusError, PresetError
-from phonemeengine.labels.label import CORE, Label
 from phonemeengine.labels.table import format_table
+from phonemeengine.labels.utterance import CORE, Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
 from phonemeengine.presets.model_choice import for_live_use

@@ -14,7 +14,7 @@ from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.analyser import Analysis
 from phonemeengine.calibration.scores.corpus import read_corpus
-from phonemeengine.labels.label import CORE
+from phonemeengine.labels.utterance import CORE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE

@@ -16,7 +16,7 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.errors import AudioError
 from phonemeengine.labels.files import write_labels
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE, Channel
 from tests.conftest import SPEECH

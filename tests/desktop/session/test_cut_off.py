@@ -7,7 +7,7 @@ import soundfile
 
 from phonemeanalyser.cli.main import main
 from phonemeengine.labels.files import write_labels
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
 from tests.bad_files import CUT_OFF

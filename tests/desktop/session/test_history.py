@@ -10,8 +10,7 @@ from hypothesis import strategies as st
 
 from phonemeanalyser.desktop.session.history import CAPACITY, GAP, NOWHERE, History
 from phonemeengine.analyser import Analyser, Analysis
-from phonemeengine.features.measure import Features
-from phonemeengine.features.variables import Variable
+from phonemeengine.features.variables import Features, Variable
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import BIN_WIDTH, HOP, WINDOW, AnalysisSettings, Filter
 from tests.sounds import tone

@@ -8,9 +8,9 @@ from PySide6.QtGui import QUndoStack
 from phonemeanalyser.desktop.session.label_tiers import Boundary, ChosenLabel, LabelTiers
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.inspection.whole_sound import SoundTracks
-from phonemeengine.labels.label import RawLabel
 from phonemeengine.labels.textgrid import Tier
 from phonemeengine.labels.tiers import read_tiers, write_tiers
+from phonemeengine.labels.utterance import RawLabel
 from phonemeengine.phonemes import Phoneme
 from tests.desktop.hands import CARDS
 

@@ -12,7 +12,7 @@ from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import Variable
 from phonemeengine.presets.files import THESIS_PRESET, load_preset, save_preset
 from phonemeengine.presets.preset import Judgement
-from phonemeengine.recognition.phoneme_data import PhonemeData
+from phonemeengine.recognition.rules import PhonemeData
 from phonemeengine.settings import BIN_WIDTH, STAGES, Filter
 
 # one small change of each kind

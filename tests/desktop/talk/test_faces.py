@@ -10,9 +10,8 @@ from pathlib import Path
 import pytest
 
 from phonemeengine.mouth.files.io import FaceFiles, load_morph_mesh, save_morph_targets
-from phonemeengine.mouth.head import Head, load_head
 from phonemeengine.mouth.mesh import mesh_of
-from phonemeengine.mouth.morph_mesh import MorphTargets, morph_targets_of
+from phonemeengine.mouth.morph_mesh import Head, MorphTargets, load_head, morph_targets_of
 from phonemeengine.mouth.movestate import movestate_of
 from phonemeengine.phonemes import Phoneme
 from tests.conftest import ROOT

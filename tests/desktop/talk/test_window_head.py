@@ -18,8 +18,8 @@ from phonemeanalyser.desktop.talk.pictures import PICTURE_RATES
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeanalyser.rendering.camera import Camera
 from phonemeengine.audio.output import ClockOutput
-from phonemeengine.mouth.head import Framing
 from phonemeengine.mouth.idle_motion import EYES
+from phonemeengine.mouth.morph_mesh import Framing
 from phonemeengine.mouth.movestate import Mode
 from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.phonemes import Phoneme

@@ -9,8 +9,8 @@ import soundfile
 from phonemeengine.calibration.scores.corpus import read_corpus, read_recordings
 from phonemeengine.errors import AudioError, CorpusError, UnknownPhonemeError
 from phonemeengine.labels.files import write_labels
-from phonemeengine.labels.label import Label
-from phonemeengine.labels.phoneme_map import PhonemeMap
+from phonemeengine.labels.phone_sets import PhonemeMap
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
 from tests.sounds import noise

@@ -13,9 +13,9 @@ from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.calibration.takes.spoken import keep_sentence, quiet_at_end
 from phonemeengine.calibration.takes.take import TRIMMED
 from phonemeengine.errors import CorpusError, TakeError
-from phonemeengine.labels.label import Label
 from phonemeengine.labels.phone_sets import ipa_phoneme
 from phonemeengine.labels.table import format_table
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
 from tests.reading import english_read

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from phonemeengine.calibration.workbench.batch_smoother import BatchSmoother
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.smoothing import PhonemeSmoother
+from phonemeengine.recognition.segments import PhonemeSmoother
 
 A, E, M, SILENCE, UNKNOWN = Phoneme.A, Phoneme.E, Phoneme.M, Phoneme.SILENCE, Phoneme.UNIDENTIFIED
 STAY = {p: p for p in Phoneme}

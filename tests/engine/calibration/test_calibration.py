@@ -12,13 +12,13 @@ from phonemeengine.analyser import Analyser, analyse_blocks
 from phonemeengine.calibration.scores.corpus import FrameLabels, frame_labels_of, read_corpus, read_labels
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, confusion_of, scores_of
 from phonemeengine.errors import CorpusError
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.labels.visemes import NO_VISEME, Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
-from phonemeengine.recognition.smoothing import SUCCESSORS
+from phonemeengine.recognition.segments import SUCCESSORS
 from phonemeengine.settings import SAMPLE_RATE, Decimation
 from tests.conftest import ROOT
 from tests.sounds import noise, silence, vowel

@@ -17,7 +17,7 @@ from phonemeengine.calibration.workbench.distributions import (
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Cancelled
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from tests.labelled import recording, recordings

@@ -11,11 +11,10 @@ from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, Confusion,
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Cancelled
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
-from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser
+from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser, Thresholds
 from tests.labelled import recordings
 
 THESIS = load_preset(FACTORY / "thesis.toml")

@@ -4,7 +4,7 @@ import numpy as np
 
 from phonemeengine.calibration.scores.corpus import frame_labels_of
 from phonemeengine.calibration.scores.scoring import label_errors
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 
 LABELS = (

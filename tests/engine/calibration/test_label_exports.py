@@ -14,7 +14,7 @@ from phonemeengine.calibration.takes.quality import check_take
 from phonemeengine.calibration.takes.storage import COPY_SUFFIXES
 from phonemeengine.errors import EngineError
 from phonemeengine.labels.files import read_labels, write_labels
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from tests.disks import refused
 from tests.sounds import noise, silence, vowel

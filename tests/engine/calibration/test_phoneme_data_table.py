@@ -16,11 +16,11 @@ from phonemeengine.calibration.workbench.phoneme_data_table import (
 )
 from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Cancelled
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.controls import CONDITION_OF, with_number
 from phonemeengine.presets.files import FACTORY, load_preset
-from phonemeengine.recognition.phoneme_data import LAYOUT
+from phonemeengine.recognition.rules import LAYOUT
 from tests.labelled import recording, recordings
 
 THESIS = load_preset(FACTORY / "thesis.toml")

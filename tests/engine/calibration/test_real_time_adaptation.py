@@ -16,7 +16,7 @@ from phonemeengine.calibration.scores.evaluation import predict
 from phonemeengine.calibration.scores.scoring import scores_of
 from phonemeengine.encoder.head import softmax
 from phonemeengine.encoder.live import EncoderMix, LiveEncoder, LiveHead, build_live_encoder, open_live_encoder
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.model_choice import for_files, for_live_use, states_in, with_real_time_model

@@ -5,10 +5,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from phonemeengine.calibration.workbench.retuner import RuleCache
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import RULES, Condition, Rule, RuleRecogniser
+from phonemeengine.recognition.rules import RULES, Condition, Rule, RuleRecogniser, Thresholds
 
 NAMES = ("x", "y", "z")
 GRID = [k / 4 for k in range(-4, 5)]  # so that values meet their limits

@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 
 from phonemeengine.calibration.fits.rule_search import MOST_CONDITIONS, RuleSearch, best_phonemes, conditions_in
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import Rule, RuleRecogniser
+from phonemeengine.recognition.rules import Rule, RuleRecogniser, Thresholds
 
 N = 4000
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from phonemeengine.calibration.fits.limit_search import RuleTrials, with_rule, with_rule_off
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.rules import Condition, Rule

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from phonemeengine.errors import SettingsError
-from phonemeengine.features.measure import Features
-from phonemeengine.features.variables import Variable, check_user_variables
+from phonemeengine.features.variables import Features, Variable, check_user_variables
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.scores import SCORES, ScoredRecogniser, scores_in
 

@@ -15,9 +15,9 @@ from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtteran
 from phonemeengine.calibration.scores.evaluation import Predictions, group_scores_of, kind_of, score
 from phonemeengine.calibration.scores.scoring import scores_of
 from phonemeengine.errors import AudioError, CorpusError
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.labels.files import write_labels
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.labels.visemes import NO_VISEME
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset

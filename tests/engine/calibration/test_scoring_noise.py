@@ -10,7 +10,7 @@ from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder,
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, read_corpus
 from phonemeengine.calibration.scores.evaluation import score
 from phonemeengine.errors import CorpusError, SettingsError
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.settings import SAMPLE_RATE

@@ -19,7 +19,7 @@ from phonemeengine.calibration.workbench.labelled_features import LabelledFeatur
 from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Cancelled
 from phonemeengine.features.variables import Spectrum, Variable, check_user_variables
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.settings import SAMPLE_RATE, Filter

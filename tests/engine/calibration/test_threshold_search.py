@@ -8,11 +8,10 @@ import pytest
 from phonemeengine.calibration.fits.threshold_search import LEAST_FOUND, Fit, ThresholdSearch
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, confusion_of, macro_f1_of
 from phonemeengine.calibration.workbench.batch_smoother import counted_table, last_identified, successors_of
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
-from phonemeengine.recognition.smoothing import PhonemeSmoother
+from phonemeengine.recognition.rules import CONDITIONS, ThesisRules, Thresholds
+from phonemeengine.recognition.segments import PhonemeSmoother
 
 NAMES = tuple(dict.fromkeys(c.variable for c in CONDITIONS))
 HALVES = Thresholds(**dict.fromkeys((c.threshold for c in CONDITIONS), 0.5))

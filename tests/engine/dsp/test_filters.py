@@ -7,8 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from phonemeengine.dsp.filters import (
+from phonemeengine.dsp.spectrum import (
     FrequencyShaper,
+    SpectrumAnalyser,
     TimeSmoother,
     denoise,
     high_pass_gains,
@@ -16,7 +17,6 @@ from phonemeengine.dsp.filters import (
     normalise,
     pre_emphasis,
 )
-from phonemeengine.dsp.spectrum import SpectrumAnalyser
 from phonemeengine.errors import SettingsError
 from phonemeengine.settings import BIN_WIDTH, WINDOW, AnalysisSettings
 from tests.sounds import Sound, tone

@@ -7,7 +7,7 @@ import pytest
 from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.dsp.formants import N_FORMANTS, formants_of, linear_prediction
 from phonemeengine.errors import SettingsError
-from phonemeengine.labels.label import CORE
+from phonemeengine.labels.utterance import CORE
 from phonemeengine.phonemes import VOWELS
 from phonemeengine.settings import SAMPLE_RATE
 from tests.conftest import CORPUS

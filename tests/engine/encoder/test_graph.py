@@ -4,7 +4,7 @@ import numpy as np
 import onnxruntime
 import pytest
 
-from phonemeengine.encoder import onnx_file
+from phonemeengine.encoder import onnx
 from phonemeengine.encoder.graph import SLOTS, layer_count, live_graph, whole_graph
 from tests.fakes.encoder_weights import encoder_weights, reference_logits, reference_states
 
@@ -26,7 +26,7 @@ def session(content: bytes) -> onnxruntime.InferenceSession:
 
 def test_an_operator_is_written_as_onnx_has_it_and_named_as_its_output():
     # of NodeProto: input 1, output 2, name 3, op_type 4; ONNX Runtime before 1.22 opens no graph without names
-    assert onnx_file.node("Add", ["a", "b"], ["c"]) == b'\n\x01a\n\x01b\x12\x01c\x1a\x01c"\x03Add'
+    assert onnx.node("Add", ["a", "b"], ["c"]) == b'\n\x01a\n\x01b\x12\x01c\x1a\x01c"\x03Add'
 
 
 class Stream:

@@ -5,7 +5,7 @@ import pytest
 
 from phonemeengine.analyser import analyse_blocks, concatenate_analyses
 from phonemeengine.dsp.sonagram import FLOOR, SonagramSettings
-from phonemeengine.features.filtered_sonagram import filtered_sonagram_of
+from phonemeengine.features.front_end import filtered_sonagram_of
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import BIN_WIDTH, HOP, AnalysisSettings, Filter
 from tests.sounds import noise, tone

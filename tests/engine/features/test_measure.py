@@ -6,10 +6,11 @@ import pytest
 from phonemeengine.analyser import Analyser, Analysis
 from phonemeengine.dsp.mel import mel_edges
 from phonemeengine.errors import SettingsError
-from phonemeengine.features.measure import BandFeatures, Features
 from phonemeengine.features.variables import (
     BAND_VARIABLES,
     BUILT_IN_NAMES,
+    BandFeatures,
+    Features,
     Kind,
     Spectrum,
     Variable,

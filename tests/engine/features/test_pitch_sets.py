@@ -16,7 +16,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.document import preset_from_toml, preset_to_toml
 from phonemeengine.presets.files import beyond_phoneme_data, load_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.phoneme_data import PhonemeData, PitchSet
+from phonemeengine.recognition.rules import PhonemeData, PitchSet
 from phonemeengine.shipping.targets import format_ear
 from tests.conftest import ROOT
 from tests.sounds import Sound, silence, vowel

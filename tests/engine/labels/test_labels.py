@@ -12,8 +12,8 @@ from parselmouth.praat import call, run
 from phonemeengine.calibration.scores.corpus import frame_labels_of
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels.files import read_labels, write_labels
-from phonemeengine.labels.label import Label
-from phonemeengine.labels.phoneme_map import PhonemeMap
+from phonemeengine.labels.phone_sets import PhonemeMap
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from tests.labelled import labels_of
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels.files import read_labels, write_labels
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from tests.disks import refused
 

@@ -4,7 +4,7 @@ import pytest
 
 from phonemeengine.errors import CorpusError, UnknownPhonemeError
 from phonemeengine.labels.files import read_labels
-from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
+from phonemeengine.labels.phone_sets import PhonemeMap, load_phoneme_map
 from phonemeengine.phonemes import Phoneme
 
 

@@ -6,7 +6,6 @@ import parselmouth
 import pytest
 
 from phonemeengine.errors import CorpusError
-from phonemeengine.labels.label import RawLabel
 from phonemeengine.labels.textgrid import Tier, tiers_of
 from phonemeengine.labels.tiers import (
     SHORTEST,
@@ -23,6 +22,7 @@ from phonemeengine.labels.tiers import (
     split,
     write_tiers,
 )
+from phonemeengine.labels.utterance import RawLabel
 
 
 def tier(*labels: tuple[float, float, str], name: str = "phones", points: bool = False) -> Tier:

@@ -8,7 +8,7 @@ import pytest
 from phonemeengine.analyser import latest_reading
 from phonemeengine.audio.stream import InputChoice
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.rules import Thresholds
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
 from tests.fakes.microphones import HandDrivenMicrophone, Hear, frames_in, middle_of, offline
 from tests.fakes.players import PRESET, SPEECH, agree, frames_of, joined

@@ -14,7 +14,7 @@ from phonemeengine.audio.output import ClockOutput
 from phonemeengine.live import player as live
 from phonemeengine.live.player import Player
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.rules import Thresholds
 from phonemeengine.settings import HOP, SAMPLE_RATE, AnalysisSettings, Channel
 from tests.bad_files import ODD_FILES
 from tests.fakes.players import N_FRAMES, PRESET, SPEECH, Rig, agree, frames_of, joined, offline

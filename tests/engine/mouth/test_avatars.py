@@ -13,9 +13,8 @@ from phonemeengine.mouth.files.gltf import parse_gltf, parse_vrm
 from phonemeengine.mouth.files.gltf_materials import picture_size
 from phonemeengine.mouth.files.gltf_writing import format_glb
 from phonemeengine.mouth.files.io import FaceFiles, load_morph_mesh
-from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.mesh import AlphaMode
-from phonemeengine.mouth.morph_mesh import MorphMesh, bust_of
+from phonemeengine.mouth.morph_mesh import MorphMesh, bust_of, load_head
 from tests.avatars import HEIGHT, JAW, avatar, eye_at, png
 from tests.glb_faces import face_with_targets
 

@@ -14,7 +14,7 @@ from pygltflib import GLTF2
 from phonemeengine.errors import ExportError
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
-from phonemeengine.mouth.exports.glb import read_face
+from phonemeengine.mouth.exports.gltf import read_face
 from phonemeengine.mouth.files.gltf_document import chunks_of
 from phonemeengine.mouth.performer import IdleMotion
 from tests.engine.mouth.speaking import DURATION, speech

@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 from phonemeengine.errors import ExportError
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
-from phonemeengine.mouth.exports.glb import read_face
+from phonemeengine.mouth.exports.gltf import read_face
 from phonemeengine.mouth.exports.gltf_rotation import rotations_of, turnings_of
 from phonemeengine.mouth.expression.composer import Expression
 from phonemeengine.mouth.expression.streams import held_expression

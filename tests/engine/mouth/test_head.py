@@ -6,8 +6,7 @@ import pytest
 
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.blendshape_names import ARKIT, TONGUE
-from phonemeengine.mouth.head import USUAL_HEAD, Head, load_head
-from phonemeengine.mouth.morph_mesh import MorphMesh
+from phonemeengine.mouth.morph_mesh import USUAL_HEAD, Head, MorphMesh, load_head
 from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.poses import load_poses
 from phonemeengine.mouth.table import load_table

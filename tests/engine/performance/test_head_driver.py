@@ -8,9 +8,9 @@ import pytest
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.performance.head_driver import HeadDriver
 from phonemeengine.performance.keywords import CHANNELS, Keywords
-from phonemeengine.performance.phrases import PhraseMatch, PhraseMatchKind
 from phonemeengine.performance.recording import HEAD, Performance
 from phonemeengine.performance.table_file import PerformanceTable, write_table
+from phonemeengine.performance.units import PhraseMatch, PhraseMatchKind
 from tests.engine.performance.rhythms import RATE, Movement, performed, said, table_of, words_of
 
 NONE = Keywords({}, {}, {})

@@ -5,7 +5,7 @@ from phonemeengine import CorpusError
 from phonemeengine.arrays import Float32Array
 from phonemeengine.mouth.blendshape_names import ARKIT, LIVE_LINK_COLUMNS
 from phonemeengine.mouth.exports.livelink import COUNT, HEADER, lines_of, timecode_of
-from phonemeengine.performance.livelink import CHANNELS, parse_livelink
+from phonemeengine.performance.face_track import CHANNELS, parse_livelink
 from tests.engine.performance.faces import livelink_of, ramp
 
 JAW = CHANNELS.index("jawOpen")

@@ -2,7 +2,7 @@ from itertools import pairwise
 
 import pytest
 
-from phonemeengine.performance.phrases import PhraseIndex, PhraseMatch, PhraseMatchKind, phrases_of
+from phonemeengine.performance.units import PhraseIndex, PhraseMatch, PhraseMatchKind, phrases_of
 from tests.engine.performance.rhythms import said
 
 

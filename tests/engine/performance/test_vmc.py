@@ -5,7 +5,7 @@ import pytest
 
 from phonemeengine import CorpusError, OscMouth, Performer, load_table
 from phonemeengine.mouth.osc import RATE
-from phonemeengine.performance.vmc import parse_vmc
+from phonemeengine.performance.face_track import parse_vmc
 from tests.engine.performance.faces import osc_line, recorded_vmc
 from tests.fakes.osc_receiver import Receiver
 from tests.waiting import wait_for

@@ -12,8 +12,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.controls import Control, Moment, controls_of, unused_settings
 from phonemeengine.presets.files import load_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, RULE_FIELDS
-from phonemeengine.recognition.rules import Condition, Rule
+from phonemeengine.recognition.rules import FILTER_FIELDS, RULE_FIELDS, Condition, Rule
 from phonemeengine.recognition.scores import deficits_of, scores_in
 from phonemeengine.recognition.spec import recogniser_of
 from phonemeengine.settings import SAMPLE_RATE, Filter

@@ -26,7 +26,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import beyond_phoneme_data, load_preset, save_preset
 from phonemeengine.presets.model_choice import for_files, model_in_words, while_played
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve
+from phonemeengine.recognition.scores import UNFITTED, ConfidenceCurve
 from phonemeengine.settings import HOP, SAMPLE_RATE, AnalysisSettings, ModelKind
 from tests.fakes.whisper_model import encoder_head
 from tests.models import centred_model, tone_model

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from phonemeengine.errors import PresetError
 from phonemeengine.presets.files import format_phoneme_data, parse_phoneme_data
-from phonemeengine.recognition.phoneme_data import PhonemeData
+from phonemeengine.recognition.rules import PhonemeData
 
 NAMES = (
     "time_smooth",

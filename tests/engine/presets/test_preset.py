@@ -15,7 +15,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.document import preset_from_toml, preset_to_toml
 from phonemeengine.presets.files import load_preset, preset_entries, save_preset
 from phonemeengine.presets.preset import Judgement, Preset
-from phonemeengine.recognition.phoneme_data import PhonemeData, Thresholds
+from phonemeengine.recognition.rules import PhonemeData, Thresholds
 from phonemeengine.settings import BIN_WIDTH, PARAMETERS, RANGES, AnalysisSettings, Decimation, Filter, WindowFunction
 from tests.disks import refused
 

@@ -13,8 +13,13 @@ from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.calibration.scores.evaluation import confidence_of, predict, score
 from phonemeengine.errors import PresetError
 from phonemeengine.presets.files import load_preset, save_preset
-from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve, calibration_errors, fit_confidence
-from phonemeengine.recognition.scores import separations_of
+from phonemeengine.recognition.scores import (
+    UNFITTED,
+    ConfidenceCurve,
+    calibration_errors,
+    fit_confidence,
+    separations_of,
+)
 from phonemeengine.settings import SAMPLE_RATE, ModelKind
 from tests.conftest import CORPUS
 from tests.corpora import speech

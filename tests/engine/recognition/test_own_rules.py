@@ -8,12 +8,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from phonemeengine.errors import PresetError
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser, rule_labels
+from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser, Thresholds, rule_labels
 
 NAMES = ("x", "y", "z")
 RULES = (

@@ -33,7 +33,7 @@ from phonemeengine.presets.model_choice import (
     with_small_network,
 )
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.real_time import real_time_look_ahead
+from phonemeengine.recognition.learned import real_time_look_ahead
 from phonemeengine.settings import HOP, AnalysisSettings, ModelKind
 from tests.fakes.encoder_weights import encoder_weights, reference_logits
 from tests.models import tone_model

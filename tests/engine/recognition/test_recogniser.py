@@ -10,12 +10,11 @@ import pytest
 
 from phonemeengine.analyser import Analyser
 from phonemeengine.errors import EngineError, PresetError, RecogniserError
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
+from phonemeengine.recognition.rules import CONDITIONS, ThesisRules, Thresholds
 from phonemeengine.recognition.spec import BUILT_IN, RecogniserConfig, recogniser_names, recogniser_of
 from phonemeengine.settings import HOP, WINDOW, Filter
 from tests.fakes.plug_ins import Shelf, environment_with

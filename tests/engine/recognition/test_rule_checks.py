@@ -3,11 +3,10 @@
 import numpy as np
 import pytest
 
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
-from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import RULES, Condition, Rule, RuleFault, rule_faults
+from phonemeengine.recognition.rules import RULES, Condition, Rule, RuleFault, Thresholds, rule_faults
 
 GRID = Features(("x", "y"), np.array([(x, y) for x in range(10) for y in range(10)], np.float32))
 REST = Rule(Phoneme.O, ())

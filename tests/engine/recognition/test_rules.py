@@ -8,10 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from phonemeengine.errors import PresetError, SettingsError
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import ThesisRules
+from phonemeengine.recognition.rules import ThesisRules, Thresholds
 from phonemeengine.recognition.spec import RecogniserConfig, recogniser_of
 
 THRESHOLD_NAMES = tuple(f.name for f in fields(Thresholds))

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from phonemeengine.analyser import Analysis, analyse_blocks, concatenate_analyses
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.model_choice import for_files, for_live_use

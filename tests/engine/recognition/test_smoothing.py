@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from phonemeengine.analyser import Analyser
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.smoothing import PhonemeSmoother
+from phonemeengine.recognition.segments import PhonemeSmoother
 from phonemeengine.settings import AnalysisSettings
 from tests.sounds import noise, silence, vowel
 

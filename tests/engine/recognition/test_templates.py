@@ -12,7 +12,7 @@ from phonemeengine.calibration.fits.templates import log_mels_by_phoneme, templa
 from phonemeengine.calibration.scores.corpus import Label, LabelledUtterance
 from phonemeengine.dsp.mel import N_BANDS, N_CEPSTRA, cepstra_of
 from phonemeengine.errors import CorpusError, EngineError, PresetError, SettingsError
-from phonemeengine.labels.label import CORE
+from phonemeengine.labels.utterance import CORE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.document import preset_from_toml, preset_to_toml
 from phonemeengine.presets.preset import Preset

@@ -27,11 +27,10 @@ from phonemeengine.features.variables import Kind, Spectrum
 from phonemeengine.labels.visemes import STANDARD_VISEMES, Viseme, VisemeSet
 from phonemeengine.mouth.table import load_table
 from phonemeengine.presets.model_choice import with_small_network
-from phonemeengine.recognition.confidence import ConfidenceCurve
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import TAPS, Layer
 from phonemeengine.recognition.rules import Condition, Rule
-from phonemeengine.recognition.scores import scores_in
+from phonemeengine.recognition.scores import ConfidenceCurve, scores_in
 from phonemeengine.settings import HOP, SAMPLE_RATE, Decimation, Decoding, WindowFunction
 from phonemeengine.shipping.targets import format_ear
 from tests.compiled_ears import CEar, CModel, EarLibrary, Frames, compiler, ear_library

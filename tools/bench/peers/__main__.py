@@ -20,7 +20,7 @@ from phonemeengine.arrays import UInt8Array
 from phonemeengine.calibration.scores.corpus import frame_labels_of
 from phonemeengine.calibration.scores.evaluation import HUMAN, kind_of, predict
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
-from phonemeengine.labels.label import CORE
+from phonemeengine.labels.utterance import CORE
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.presets.model_choice import (
     for_files,

@@ -10,9 +10,15 @@ from phonemeengine.arrays import UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels, frame_labels_of
 from phonemeengine.calibration.scores.evaluation import shifted_frames
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
-from phonemeengine.labels.label import RawLabel
-from phonemeengine.labels.phone_sets import PhoneClass, ipa_class, own_phone_class, phone_classes_in, split_ipa
-from phonemeengine.labels.phoneme_map import labels_named
+from phonemeengine.labels.phone_sets import (
+    PhoneClass,
+    ipa_class,
+    labels_named,
+    own_phone_class,
+    phone_classes_in,
+    split_ipa,
+)
+from phonemeengine.labels.utterance import RawLabel
 from phonemeengine.phonemes import VOWELS, Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 

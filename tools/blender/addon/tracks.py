@@ -12,8 +12,7 @@ from phonemeengine.errors import MouthError
 from phonemeengine.mouth.blendshape_names import LIVE_LINK_ANGLES
 from phonemeengine.mouth.cues import Cue
 from phonemeengine.mouth.curves_file import HEAD, ExportedCurves, read_curves
-from phonemeengine.performance.face_track import FaceTrack
-from phonemeengine.performance.livelink import read_livelink
+from phonemeengine.performance.face_track import FaceTrack, read_livelink
 from phonemeengine.storage.files import printable_name
 
 ANGLES = tuple(f"head{angle.capitalize()}" for angle in HEAD)

@@ -24,14 +24,12 @@ from phonemeengine.calibration.workbench.labelled_features import LabelledFeatur
 from phonemeengine.dsp.pitch import HIGHEST, LOWEST
 from phonemeengine.errors import CorpusError, RecogniserError
 from phonemeengine.execution import Progress, no_progress, report_progress, subrange
-from phonemeengine.features.measure import Features
-from phonemeengine.features.variables import PITCH
+from phonemeengine.features.variables import PITCH, Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.controls import with_number
 from phonemeengine.presets.preset import Preset
 from phonemeengine.presets.rule_text import with_own_rules
-from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PitchSet
-from phonemeengine.recognition.rules import RULES, Condition, Rule
+from phonemeengine.recognition.rules import FILTER_FIELDS, RULES, Condition, PitchSet, Rule
 from phonemeengine.recognition.spec import spec_of
 
 # Leaving some recordings out of a fit, so that they tell how it does on what it has not seen.

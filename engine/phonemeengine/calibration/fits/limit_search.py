@@ -23,11 +23,10 @@ from phonemeengine.calibration.scores.scoring import (
 from phonemeengine.calibration.workbench.batch_smoother import last_identified
 from phonemeengine.calibration.workbench.retuner import Retuner, RuleCache
 from phonemeengine.execution import Progress, no_progress, report_progress
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser, active_rules
+from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser, Thresholds, active_rules
 
 N_CANDIDATES = 32
 """Few, since finer ones only fit better to the speakers that are there, not to others."""

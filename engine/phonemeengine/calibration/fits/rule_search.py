@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import BoolArray, Float32Array, Float64Array, IndexArray, UInt8Array
 from phonemeengine.calibration.scores.scoring import N_CODES, SCORED_PHONEMES
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.rules import Condition, Rule
 

@@ -21,8 +21,8 @@ from phonemeengine.calibration.workbench.distributions import (
     separability,
 )
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
-from phonemeengine.dsp.filters import denoise, normalise
 from phonemeengine.dsp.mel import mel_edges
+from phonemeengine.dsp.spectrum import denoise, normalise
 from phonemeengine.errors import CorpusError, SettingsError
 from phonemeengine.execution import Progress, no_progress, report_progress, subrange
 from phonemeengine.features.variables import Kind, Spectrum, Variable, check_user_variables

@@ -18,7 +18,7 @@ from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.mel import cepstra_of, log_mels
 from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Progress, report_progress
-from phonemeengine.labels.label import CORE
+from phonemeengine.labels.utterance import CORE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.templates import UNTEMPLATED, Templates, levels_of, rounded_templates

@@ -26,10 +26,9 @@ from phonemeengine.arrays import (
 from phonemeengine.calibration.scores.scoring import N_CODES, SCORED_PHONEMES
 from phonemeengine.calibration.workbench.batch_smoother import counted_table, last_identified, successors_of
 from phonemeengine.execution import Progress, no_progress, report_progress, subrange
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import CONDITIONS, RULES, Condition
+from phonemeengine.recognition.rules import CONDITIONS, RULES, Condition, Thresholds
 
 N_CANDIDATES = 24
 """Few, since finer ones only fit better to the speakers that are there, not to others."""

@@ -19,9 +19,9 @@ from phonemeengine.calibration.takes.take import LIST
 from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.execution import Progress, no_progress, report_progress
 from phonemeengine.labels.files import LABEL_SUFFIXES, names_in, read_labels, read_raw_labels
-from phonemeengine.labels.label import CORE, Label, RawLabel
-from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
+from phonemeengine.labels.phone_sets import PhonemeMap, labels_named
 from phonemeengine.labels.table import read_text, rows_of
+from phonemeengine.labels.utterance import CORE, Label, RawLabel
 from phonemeengine.labels.visemes import NO_VISEME, viseme_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD, Channel

@@ -20,7 +20,7 @@ from phonemeengine.labels.utterance import Utterance
 from phonemeengine.labels.visemes import NO_VISEME, STANDARD_VISEMES, Viseme, viseme_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve, calibration_errors, fit_confidence
+from phonemeengine.recognition.scores import UNFITTED, ConfidenceCurve, calibration_errors, fit_confidence
 from phonemeengine.recognition.segments import count_changes
 from phonemeengine.recognition.spec import Recogniser
 from phonemeengine.settings import FRAME_PERIOD, HOP

@@ -19,12 +19,11 @@ from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.mel import log_mels
 from phonemeengine.errors import TakeError
 from phonemeengine.features.front_end import FrontEnd, concatenate
-from phonemeengine.features.measure import Features
-from phonemeengine.labels.label import CORE
+from phonemeengine.features.variables import Features
+from phonemeengine.labels.utterance import CORE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import Condition, Rule
+from phonemeengine.recognition.rules import Condition, Rule, Thresholds
 from phonemeengine.recognition.scores import MOST_LOG_ODDS, scores_in
 from phonemeengine.recognition.spec import Tuning, spec_of
 from phonemeengine.recognition.templates import levels_of

@@ -30,7 +30,7 @@ from phonemeengine.calibration.takes.take import (
 from phonemeengine.errors import CorpusError, TakeError
 from phonemeengine.execution import Progress, no_progress, report_progress
 from phonemeengine.labels.files import read_labels, write_labels
-from phonemeengine.labels.label import Label
+from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.storage.files import atomic_write, free_path, printable_name, reason_of
 

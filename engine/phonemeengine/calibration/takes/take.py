@@ -18,8 +18,8 @@ from typing import Any
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError, CorpusError, TakeError
 from phonemeengine.labels.files import read_labels
-from phonemeengine.labels.label import CORE, Label
 from phonemeengine.labels.table import format_table, read_text, rows_of, table_of, write_text
+from phonemeengine.labels.utterance import CORE, Label
 from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
 from phonemeengine.storage.files import free_path
 from phonemeengine.storage.strict_table import StrictTable, shown

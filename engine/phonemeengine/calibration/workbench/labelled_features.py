@@ -32,8 +32,7 @@ from phonemeengine.calibration.workbench.retuner import (
 )
 from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Progress, no_progress, report_progress, subrange
-from phonemeengine.features.measure import Features
-from phonemeengine.features.variables import DEFICITS
+from phonemeengine.features.variables import DEFICITS, Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.scores import NO_SENSITIVITIES, Sensitivity, deficits_of

@@ -10,8 +10,7 @@ from phonemeengine.arrays import BoolArray, Float32Array
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.controls import CONDITION_OF
-from phonemeengine.recognition.phoneme_data import LAYOUT, PhonemeData
-from phonemeengine.recognition.rules import RULES, Condition
+from phonemeengine.recognition.rules import LAYOUT, RULES, Condition, PhonemeData
 
 ALL_SPEAKERS = "all"
 """What the frames of all speakers together are called, where there are several."""

@@ -21,8 +21,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.model_choice import for_files
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.decoder import SoundsDecoder, evidence_in, lag_of
-from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import PitchSetRules, Rule, RuleRecogniser
+from phonemeengine.recognition.rules import PitchSetRules, Rule, RuleRecogniser, Thresholds
 from phonemeengine.recognition.scores import Sensitivity, scores_in
 from phonemeengine.recognition.searched import SEARCH_LAG
 from phonemeengine.recognition.spec import Tuning, spec_of

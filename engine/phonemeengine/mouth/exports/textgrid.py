@@ -7,8 +7,8 @@ those of the sound; else a tier ``phonemes`` of cues. Mouth shapes that have nam
 
 from collections.abc import Iterator
 
-from phonemeengine.labels.label import Label
 from phonemeengine.labels.textgrid import format_textgrid, owns
+from phonemeengine.labels.utterance import Label
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.exports.export import Export
 

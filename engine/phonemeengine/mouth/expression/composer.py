@@ -21,9 +21,8 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
-from phonemeengine.mouth.expression.channels import ExpressionChannels, shipped_channels
 from phonemeengine.mouth.expression.felt import FeelingAmounts, FeltFace
-from phonemeengine.mouth.expression.streams import ExpressionStream
+from phonemeengine.mouth.expression.streams import ExpressionChannels, ExpressionStream, shipped_channels
 
 # How much speech holds expressions back.
 

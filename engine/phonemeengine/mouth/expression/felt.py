@@ -12,8 +12,7 @@ from phonemeengine.errors import MouthError, remedy
 from phonemeengine.features.feeling import Feeling
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.expression.channels import columns_of
-from phonemeengine.mouth.expression.streams import RecordedExpression, held_expression
+from phonemeengine.mouth.expression.streams import RecordedExpression, columns_of, held_expression
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.morpher import LowPass
 from phonemeengine.text.feelings import FeelingLexicon, FeltPassage, passages_of

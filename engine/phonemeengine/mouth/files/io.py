@@ -12,8 +12,16 @@ from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.files.obj import parse_obj
 from phonemeengine.mouth.files.threedm import format_3dm, format_3dma, parse_3dm, parse_3dma
 from phonemeengine.mouth.files.x_file import parse_x
-from phonemeengine.mouth.head import USUAL_HEAD, Head, load_head
-from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, bust_of, matched, morph_targets_of
+from phonemeengine.mouth.morph_mesh import (
+    USUAL_HEAD,
+    Head,
+    MorphMesh,
+    MorphTargets,
+    bust_of,
+    load_head,
+    matched,
+    morph_targets_of,
+)
 from phonemeengine.mouth.movestate import LONGEST_NAME, Movestate, movestate_of
 from phonemeengine.storage.files import MEGABYTE, read_file, write_file
 

@@ -14,10 +14,9 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import TextError, check_range
-from phonemeengine.labels.label import ROUNDING
 from phonemeengine.labels.phone_sets import articulations_of, ipa_phoneme, letters_of
 from phonemeengine.labels.pinyin import is_sound, timed_syllable
-from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
+from phonemeengine.labels.utterance import ROUNDING, Phone, Syllable, Utterance, Word
 from phonemeengine.mouth.morpher import EasedMovement, shares_of
 from phonemeengine.speech.pinyin.script import Written, WrittenMark, WrittenSyllable, WrittenWord, mark_after
 from phonemeengine.speech.pinyin.spring import SpringMass

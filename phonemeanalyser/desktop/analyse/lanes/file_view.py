@@ -26,7 +26,7 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import ElidedLabel, Wrapping, column, row, toggle_button, tool_button
 from phonemeanalyser.desktop.widgets.lanes import BoundaryDrag, LabelEditor, Lane
 from phonemeengine.inspection.whole_sound import FrameRange, FrameState
-from phonemeengine.labels.label import ROUNDING
+from phonemeengine.labels.utterance import ROUNDING
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 

@@ -20,8 +20,7 @@ from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.fields import NumberField
 from phonemeanalyser.desktop.widgets.key_filters import ArrowKeys
 from phonemeengine.errors import EngineError
-from phonemeengine.features.measure import Features
-from phonemeengine.features.variables import readable_name
+from phonemeengine.features.variables import Features, readable_name
 from phonemeengine.presets.controls import Control, ControlGroup, Moment
 from phonemeengine.settings import HINTS
 

@@ -23,7 +23,7 @@ from phonemeengine.execution import Progress, subrange
 from phonemeengine.presets.controls import with_number
 from phonemeengine.presets.files import load_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.phoneme_data import PhonemeData, PitchSet
+from phonemeengine.recognition.rules import PhonemeData, PitchSet
 from phonemeengine.recognition.spec import Tuning, spec_of
 
 Fitted = tuple[Preset, float, float]

@@ -25,7 +25,7 @@ from phonemeengine.calibration.workbench.labelled_features import LabelledFeatur
 from phonemeengine.errors import AudioError, EngineError, UnknownPhonemeError
 from phonemeengine.execution import Progress, subrange
 from phonemeengine.features.variables import DEFICITS, Variable
-from phonemeengine.labels.phoneme_map import PhonemeMap
+from phonemeengine.labels.phone_sets import PhonemeMap
 from phonemeengine.phonemes import Phoneme
 
 Pair = tuple[Phoneme, Phoneme | None]

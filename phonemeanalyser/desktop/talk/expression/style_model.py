@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.undo import UndoableEdit
 from phonemeanalyser.desktop.tasks import tried
 from phonemeengine.errors import EngineError
-from phonemeengine.mouth.expression.channels import shipped_channels
+from phonemeengine.mouth.expression.streams import shipped_channels
 from phonemeengine.mouth.poses import Pose
 from phonemeengine.mouth.style import (
     NEUTRAL,

@@ -14,7 +14,7 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.fields import PercentSlider
 from phonemeengine.mouth.blendshape_names import both_sides
-from phonemeengine.mouth.expression.channels import shipped_channels
+from phonemeengine.mouth.expression.streams import shipped_channels
 from phonemeengine.mouth.style import limits_of
 from phonemeengine.mouth.table import STRONGEST
 

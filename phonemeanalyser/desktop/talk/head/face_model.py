@@ -12,9 +12,8 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.blendshape_names import EYELIDS
 from phonemeengine.mouth.files.io import FaceFiles
-from phonemeengine.mouth.head import USUAL_HEAD, Head
 from phonemeengine.mouth.idle_motion import EYES, Gaze, HeadPose, gaze_weights
-from phonemeengine.mouth.morph_mesh import MorphMesh
+from phonemeengine.mouth.morph_mesh import USUAL_HEAD, Head, MorphMesh
 from phonemeengine.mouth.movestate import MOST_PERCENT, MovestateSet
 from phonemeengine.mouth.performer import IdleMotion, Performer
 from phonemeengine.mouth.table import MouthTable, load_table, shipped_tables

@@ -26,8 +26,7 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import ElidedLabel, column, named, row, spoken_button, tool_button
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeanalyser.rendering.camera import LIGHT, Camera, Light
-from phonemeengine.mouth.head import Framing
-from phonemeengine.mouth.morph_mesh import MorphMesh
+from phonemeengine.mouth.morph_mesh import Framing, MorphMesh
 
 PER_PIXEL = math.radians(0.4)
 """How far a drag of a pixel goes round the head."""

@@ -28,7 +28,7 @@ from phonemeanalyser.desktop.widgets.builders import (
 from phonemeanalyser.desktop.widgets.fields import NumberField
 from phonemeanalyser.desktop.widgets.lanes import names_in_lanes
 from phonemeengine.mouth.files.io import FaceFiles
-from phonemeengine.mouth.head import Head
+from phonemeengine.mouth.morph_mesh import Head
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.table import SPEAKING, TABLES
 from phonemeengine.phonemes import Phoneme

@@ -21,9 +21,13 @@ from phonemeengine import (
 from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter
-from phonemeengine.mouth.expression.channels import SHIPPED, shipped_channels
 from phonemeengine.mouth.expression.composer import Composer
-from phonemeengine.mouth.expression.streams import expression_presets, recorded_expression
+from phonemeengine.mouth.expression.streams import (
+    SHIPPED_CHANNELS,
+    expression_presets,
+    recorded_expression,
+    shipped_channels,
+)
 from phonemeengine.mouth.performer import TimedFrame
 from phonemeengine.recognition.segments import Segment
 
@@ -112,7 +116,7 @@ def test_every_blend_shape_has_a_class():
 )
 def test_classes_that_are_not_whole_are_refused_in_one_sentence(tmp_path: Path, change, sentence):
     path = tmp_path / "mine.toml"
-    path.write_text(SHIPPED.read_text(encoding="utf-8").replace(*change, 1), encoding="utf-8")
+    path.write_text(SHIPPED_CHANNELS.read_text(encoding="utf-8").replace(*change, 1), encoding="utf-8")
     with pytest.raises(MouthError, match=sentence) as refused:
         load_channels(path)
     assert "mine.toml" in str(refused.value)
