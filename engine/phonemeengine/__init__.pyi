@@ -13,11 +13,11 @@ from .audio.incoming import Encoding as Encoding
 from .audio.incoming import StreamFormat as StreamFormat
 from .audio.stream import InputChoice as InputChoice
 from .audio.stream import devices as devices
-from .calibration.alignment import aligned as aligned
 from .calibration.calibrate import calibrate as calibrate
 from .calibration.scores.corpus import LabelledUtterance as LabelledUtterance
 from .calibration.scores.corpus import read_recordings as read_recordings
 from .calibration.scores.evaluation import score as score
+from .calibration.takes.sentences import aligned as aligned
 from .conversion.work import convert as convert
 from .conversion.work import convert_all as convert_all
 from .conversion.work import export as export

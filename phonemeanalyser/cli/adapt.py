@@ -24,11 +24,10 @@ from phonemeengine import (
     save_preset,
 )
 from phonemeengine.arrays import Float32Array
-from phonemeengine.calibration.alignment import labels_of, read_sentence
 from phonemeengine.calibration.calibrate import CalibrationResult
 from phonemeengine.calibration.scores.corpus import is_labelled
-from phonemeengine.calibration.sentences import LANGUAGES, sentences_in
 from phonemeengine.calibration.takes.room_noise import measure_room
+from phonemeengine.calibration.takes.sentences import LANGUAGES, labels_of, read_sentence, sentences_in
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.storage.replacing import Guard, nothing_is_own

@@ -14,7 +14,7 @@ from phonemeengine.analyser import Analysis, analyse_file, analyse_range
 from phonemeengine.errors import AudioError, OptionError
 from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.rule_text import rule_lines, rules_of, trace_lines
+from phonemeengine.presets.preset import rule_lines, rules_of, trace_lines
 from phonemeengine.recognition.spec import recogniser_of
 from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.storage.files import printable_name

@@ -30,8 +30,7 @@ from phonemeengine.calibration.scores.evaluation import Predictions, predict
 from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Progress
 from phonemeengine.settings import FRAME_PERIOD
-from phonemeengine.storage.files import atomic_write, printable_name, reason_of
-from phonemeengine.storage.npz import read_npz
+from phonemeengine.storage.files import atomic_write, printable_name, read_npz, reason_of
 from phonemeengine.text.espeak import languages
 from phonemeengine.text.script import load_script
 

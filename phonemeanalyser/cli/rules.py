@@ -15,7 +15,7 @@ from phonemeengine.calibration.fits.fitting import FitReport
 from phonemeengine.calibration.fits.rule_finding import MOST_CONDITIONS_IN_ALL, rules_from
 from phonemeengine.calibration.fits.rule_search import conditions_in
 from phonemeengine.calibration.scores.scoring import Scores
-from phonemeengine.presets.rule_text import rule_lines
+from phonemeengine.presets.preset import rule_lines
 from phonemeengine.storage.files import printable
 from phonemeengine.storage.replacing import Guard, nothing_is_own
 

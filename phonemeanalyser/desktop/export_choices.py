@@ -23,10 +23,10 @@ from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice
 from phonemeengine.conversion.options import CLIP_EDGES, OPTIONS
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts
 from phonemeengine.conversion.work import Conversion
+from phonemeengine.mouth.animation import FaceDriver
 from phonemeengine.mouth.cues import MINIMUM
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
-from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.morph_mesh import USUAL_HEAD, Framing
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.table import shipped_tables

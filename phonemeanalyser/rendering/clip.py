@@ -35,9 +35,8 @@ from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice, Driving
 from phonemeengine.conversion.options import ConversionOptions
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts, edited_keys, made_of, open_sound
 from phonemeengine.execution import Progress, no_progress, report_progress, subrange
-from phonemeengine.mouth.animation import difference_in_words, movement_difference
+from phonemeengine.mouth.animation import FaceDriver, difference_in_words, movement_difference
 from phonemeengine.mouth.cues import MOST_ANTICIPATION
-from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.files.io import FaceFiles
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.key_layer import NO_KEYS, KeyLayer

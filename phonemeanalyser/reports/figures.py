@@ -15,7 +15,7 @@ from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScore
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.model_choice import model_in_words
-from phonemeengine.presets.rule_text import rules_of
+from phonemeengine.presets.preset import rules_of
 from phonemeengine.recognition.rules import active_rules
 from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.storage.files import printable

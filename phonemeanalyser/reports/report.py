@@ -13,7 +13,7 @@ from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.rule_text import rule_lines, rules_of
+from phonemeengine.presets.preset import rule_lines, rules_of
 from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.storage.files import printable, printable_name
 

@@ -20,7 +20,7 @@ from phonemeengine.calibration.scores.evaluation import score
 from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
-from phonemeengine.presets.rule_text import rule_lines
+from phonemeengine.presets.preset import rule_lines
 from phonemeengine.recognition.rules import Condition, Rule
 from tests.corpora import put, speech, write_corpus, write_manifest
 from tests.tables import Capsys

@@ -23,8 +23,8 @@ from phonemeengine.labels.files import write_labels
 from phonemeengine.labels.textgrid import format_tiers
 from phonemeengine.labels.utterance import Label
 from phonemeengine.labels.utterance_files import read_utterance
+from phonemeengine.mouth.animation import FaceDriver
 from phonemeengine.mouth.exports.exporter import Exporter
-from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, THESIS_PRESET
 from phonemeengine.settings import SAMPLE_RATE

@@ -27,9 +27,9 @@ from phonemeanalyser.desktop.talk.words.voice_model import installed
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.audio.tone import ToneKind
-from phonemeengine.calibration.sentences import LANGUAGES
 from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.calibration.takes.quality import Fault, check_take
+from phonemeengine.calibration.takes.sentences import LANGUAGES
 from phonemeengine.conversion.work import CONVERSIONS
 from phonemeengine.dsp.sonagram import FrequencyAxis
 from phonemeengine.errors import EngineError
@@ -37,8 +37,8 @@ from phonemeengine.features.variables import BUILT_IN_NAMES, Kind, Spectrum, Var
 from phonemeengine.inspection.averaged_spectrum import load_averaged_spectrum
 from phonemeengine.labels.files import read_labels
 from phonemeengine.labels.utterance import LabelUnit
+from phonemeengine.mouth.animation import FaceDriver
 from phonemeengine.mouth.expression.streams import expression_presets, load_expressions
-from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets
 from phonemeengine.mouth.osc import OscAddress
 from phonemeengine.mouth.table import load_table, shipped_tables

@@ -12,9 +12,8 @@ import soundfile
 from phonemeanalyser.cli.main import main
 from phonemeengine.analyser import Analyser, analyse_blocks
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.calibration.alignment import read_sentence
 from phonemeengine.calibration.calibrate import calibrate
-from phonemeengine.calibration.sentences import SENTENCES, sentences_in
+from phonemeengine.calibration.takes.sentences import SENTENCES, read_sentence, sentences_in
 from phonemeengine.encoder.live import open_live_encoder
 from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme

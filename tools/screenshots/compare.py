@@ -4,7 +4,7 @@ import sys
 from pathlib import Path
 
 from phonemeengine import Voice, build_table, make_corpus, speak
-from phonemeengine.mouth.face_driver import FaceDriver
+from phonemeengine.mouth.animation import FaceDriver
 from phonemeengine.performance.making import sentences
 from tools.bench.desktop import live_for
 from tools.screenshots.desktops import TALK, shown_desktop

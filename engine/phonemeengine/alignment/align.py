@@ -10,8 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from phonemeengine.alignment.aligner import MOST_HURRY, ONLY_THE_TEXT, STRETCH, Aligner, within
-from phonemeengine.alignment.evidence import Evidence, evidence_of, joined, shortfalls_of
-from phonemeengine.alignment.manners import KINDS
+from phonemeengine.alignment.evidence import KINDS, Evidence, evidence_of, joined, shortfalls_of
 from phonemeengine.alignment.passage import Passage
 from phonemeengine.alignment.viterbi import LeastFrames, cheapest_way
 from phonemeengine.analyser import Analysis, analyse_file, analyse_range

@@ -10,8 +10,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from phonemeengine.alignment.evidence import Evidence, joined, shortfalls_of, spoken_in
-from phonemeengine.alignment.manners import least_frames_of
+from phonemeengine.alignment.evidence import Evidence, joined, least_frames_of, shortfalls_of, spoken_in
 from phonemeengine.alignment.passage import Passage
 from phonemeengine.alignment.viterbi import (
     SILENT,

@@ -8,7 +8,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from phonemeengine.alignment.manners import KINDS, Manner, kind_of, least_frames_of, manner_of
+from phonemeengine.alignment.evidence import KINDS, Manner, kind_of, least_frames_of, manner_of
 from phonemeengine.alignment.viterbi import SILENT, SKIPPED, SOUND, STRANGE, Lattice, WayStep, lattice_of
 from phonemeengine.arrays import Float64Array, IndexArray
 from phonemeengine.labels.phone_sets import ipa_phoneme

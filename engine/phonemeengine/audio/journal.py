@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any
 
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.audio.locking import lock_at
 from phonemeengine.errors import AudioError
 from phonemeengine.storage.files import atomic_write
+from phonemeengine.storage.replacing import lock_at
 
 
 class RecordingMarker:

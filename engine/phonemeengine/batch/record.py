@@ -18,12 +18,12 @@ from typing import Any
 
 from typing_extensions import override
 
-from phonemeengine.audio.locking import lock_at
 from phonemeengine.batch.remote import is_remote, write_place
 from phonemeengine.batch.work import FileState, Job, JobState, Made, Outcome, digest_of, size_and_time
 from phonemeengine.errors import BatchError
 from phonemeengine.execution import Closing
 from phonemeengine.storage.files import atomic_write, printable_name, reason_of
+from phonemeengine.storage.replacing import lock_at
 
 RECORD = ".phonemeanalyser-batch"
 """Its name."""

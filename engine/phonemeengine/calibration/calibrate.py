@@ -113,7 +113,8 @@ def calibrate(
     preset : what is calibrated; its recogniser says how.
     takes : labelled recordings of the voice; those of silence alone tell what the room sounds like.
     held_out : labelled recordings of the same voice from which nothing is learned, such as a sentence that was
-        read (`phonemeengine.calibration.alignment` labels it); labels whose certainty is ``trimmed`` do not count.
+        read (`phonemeengine.calibration.takes.sentences` labels it);
+        labels whose certainty is ``trimmed`` do not count.
     room : seconds of background noise, float32, shape (n,), 44.1 kHz; where it is None, the takes' silence.
     progress : called with the share that is done, 0..1.
 

@@ -10,9 +10,8 @@ from phonemeengine.batch.work import Say
 from phonemeengine.conversion.options import ConversionOptions
 from phonemeengine.errors import EngineError
 from phonemeengine.labels.utterance import Utterance
-from phonemeengine.mouth.animation import Animation, MovementTrack
+from phonemeengine.mouth.animation import Animation, FaceDriver, MovementTrack, usual_driver
 from phonemeengine.mouth.exports.exporter import Exporter
-from phonemeengine.mouth.face_driver import FaceDriver, usual_driver
 from phonemeengine.mouth.style import NEUTRAL, Style, load_style, neutral_style
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.performance.choice import ExampleChoice, chosen_table

@@ -19,14 +19,13 @@ from phonemeengine.conversion.option import (
     switch,
 )
 from phonemeengine.errors import MouthError, OptionError, remedy
-from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE
+from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE, NEEDS_FILE, FaceDriver
 from phonemeengine.mouth.cues import LONGEST_MINIMUM, MINIMUM, MOST_ANTICIPATION
 from phonemeengine.mouth.exports.exporter import FACTORS, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.expression.composer import Expression
 from phonemeengine.mouth.expression.felt import FeelingAmounts
 from phonemeengine.mouth.expression.streams import ExpressionStream, expression_presets, held_expression
-from phonemeengine.mouth.face_driver import NEEDS_FILE, FaceDriver
 from phonemeengine.mouth.morph_mesh import Framing
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.performer import IdleMotion

@@ -17,9 +17,8 @@ from phonemeengine.errors import EngineError
 from phonemeengine.labels import textgrid
 from phonemeengine.labels.utterance import Utterance, shifted
 from phonemeengine.labels.utterance_files import UtteranceSpool
-from phonemeengine.mouth.animation import MovementTrack
+from phonemeengine.mouth.animation import FaceDriver, MovementTrack
 from phonemeengine.mouth.exports.exporter import Exporter
-from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.performance.face_network import Sound, sound_of
 from phonemeengine.settings import SAMPLE_RATE

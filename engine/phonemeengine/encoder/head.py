@@ -16,8 +16,7 @@ from phonemeengine.encoder.whisper import LAYER
 from phonemeengine.errors import ModelError
 from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.storage.files import atomic_write, reason_of
-from phonemeengine.storage.npz import arrays_in_npz
+from phonemeengine.storage.files import arrays_in_npz, atomic_write, reason_of
 
 FORMAT = 2
 LARGEST_FILE = 4 << 20

@@ -1,9 +1,10 @@
-"""The movement of a face through a whole sound, frame by frame, and how much two of them differ, and where most."""
+"""What can move a face, its movement through a whole sound, frame by frame, and how much two of them differ."""
 
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from enum import StrEnum
 from itertools import islice
 
 import numpy as np
@@ -18,6 +19,51 @@ from phonemeengine.mouth.table import LIMITS, MouthTable
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
+
+
+class FaceDriver(StrEnum):
+    """What moves a face by what is said; `AUTO` is whatever `usual_driver` chooses."""
+
+    AUTO = "auto"
+    PINYIN = "pinyin"
+    TABLE = "table"
+    NETWORK = "network"
+    RULES = "rules"
+
+    @property
+    def caption(self) -> str:
+        """What it is called below a face."""
+        return _CAPTIONS[self]
+
+
+_CAPTIONS = {
+    FaceDriver.AUTO: "Automatic",
+    FaceDriver.PINYIN: "Pinyin letters",
+    FaceDriver.TABLE: "Recorded faces",
+    FaceDriver.NETWORK: "Sound alone (network)",
+    FaceDriver.RULES: "Phonemes (rules)",
+}
+
+
+NEEDS_FILE = (FaceDriver.TABLE, FaceDriver.NETWORK)
+"""What moves a face by a file that is learned from recorded faces."""
+
+
+def usual_driver(*, has_table: bool, has_letters: bool, has_network: bool = False) -> FaceDriver:
+    """Return what moves a face unless another is chosen: what recorded faces taught, letters of pinyin, else rules.
+
+    Parameters
+    ----------
+    has_table : whether there is a table of recorded faces, and it is known what is said.
+    has_network : whether there is a network that learned from recorded faces.
+    has_letters : whether Chinese is said, and letters can move the face.
+    """
+    if has_table:
+        return FaceDriver.TABLE
+    if has_network:
+        return FaceDriver.NETWORK
+    return FaceDriver.PINYIN if has_letters else FaceDriver.RULES
+
 
 LOWEST_RATE, HIGHEST_RATE = 1.0, 240.0
 """Frames per second."""

@@ -19,7 +19,7 @@ from phonemeengine.arrays import BoolArray, Float32Array, Float64Array, IndexArr
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.mesh import FARTHEST, MOST_VERTICES, Mesh, mesh_of
 from phonemeengine.mouth.movestate import Movestate, movestate_at, movestate_of
-from phonemeengine.storage.npz import read_npz
+from phonemeengine.storage.files import read_npz
 
 MOST_STATES = 1024
 TOLERANCE = 0.0001

@@ -39,8 +39,7 @@ from phonemeengine.performance.track import face_table
 from phonemeengine.recognition.model import LARGEST_FILE, Model, arrays_of_model, model_of_arrays
 from phonemeengine.recognition.network import Network
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, WINDOW
-from phonemeengine.storage.files import printable_name, why_unreadable
-from phonemeengine.storage.npz import read_npz
+from phonemeengine.storage.files import printable_name, read_npz, why_unreadable
 from phonemeengine.storage.replacing import Guard, guarded_write
 
 FORMAT = 1

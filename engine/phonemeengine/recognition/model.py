@@ -20,8 +20,7 @@ from phonemeengine.labels.visemes import STANDARD_VISEMES, VisemeSet
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.network import TAPS, Layer
 from phonemeengine.settings import FRAME_PERIOD
-from phonemeengine.storage.files import atomic_write, reason_of
-from phonemeengine.storage.npz import arrays_in_npz
+from phonemeengine.storage.files import arrays_in_npz, atomic_write, reason_of
 
 FORMAT = 4
 """The version of the file's layout; a newer one is refused. The first knew no visemes, the second no centred ones,

@@ -1,4 +1,4 @@
-"""Files that are written whole or not at all, and which of those that are there they may replace.
+"""Files that are written whole or not at all, which of those that are there they may replace, and locks on files.
 
 A file gives way to what the same work makes of it: where that is noted in its folder, as batches do, or where the new
 file is the same byte for byte. Everything else stays, unless the user gives it up.
@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import BinaryIO, TextIO
+from typing import Any, BinaryIO, TextIO
 
 from phonemeengine.errors import EngineError
 from phonemeengine.storage.files import Owns, atomic_write, is_own, reason_of
@@ -157,3 +157,14 @@ def _print(content: bytes, *, is_text: bool) -> None:
     except OSError as error:
         words = f"standard output cannot be written ({reason_of(error)}); free some space, or name a file with -o"
         raise EngineError(words) from error
+
+
+def lock_at(path: Path) -> Any:
+    """Return a lock on a file of its own, not yet acquired.
+
+    ``acquire(blocking=False)`` raises TimeoutError while another holds it, another OSError where it cannot be made,
+    and NotImplementedError where the disk knows no locks.
+    """
+    from filelock import FileLock  # noqa: PLC0415 - takes 40 ms, which only who needs a lock should wait for
+
+    return FileLock(path, thread_local=False)

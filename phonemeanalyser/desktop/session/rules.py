@@ -20,8 +20,7 @@ from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import Features
 from phonemeengine.inspection.whole_sound import FrameState
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.preset import Preset
-from phonemeengine.presets.rule_text import rules_of, with_own_rules
+from phonemeengine.presets.preset import Preset, rules_of, with_own_rules
 from phonemeengine.recognition.rules import Condition, Rule, RuleFault, limit_of, rule_faults
 from phonemeengine.recognition.spec import Tuning, spec_of
 

@@ -12,9 +12,9 @@ from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetDocument, PresetModel
 from phonemeanalyser.desktop.settings import keep, read
-from phonemeengine.audio.locking import lock_at
 from phonemeengine.errors import EngineError
 from phonemeengine.presets.files import MODEL_SUFFIXES, load_preset, save_preset
+from phonemeengine.storage.replacing import lock_at
 
 KEPT_AFTER_MS = 1000
 """So long after the last change of a preset the changes are written: a drag is not written all the time."""

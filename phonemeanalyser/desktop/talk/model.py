@@ -23,9 +23,9 @@ from phonemeanalyser.desktop.talk.words.felt_text import FeltText
 from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.analyser import Analysis
+from phonemeengine.mouth.animation import NEEDS_FILE
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import ExportOptions
-from phonemeengine.mouth.face_driver import NEEDS_FILE
 from phonemeengine.mouth.face_mapping import guess_mapping
 from phonemeengine.mouth.key_layer import NO_KEYS
 from phonemeengine.mouth.morpher import Detail, VisemeOverride

@@ -9710,17 +9710,17 @@
             <translation>Die .glb-Datei würde größer als {largest_buffer} MB; einige Blendshapes weglassen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/storage/npz.py" />
+            <location filename="../../../engine/phonemeengine/storage/files.py" />
             <source>the archive is compressed in a way that NumPy does not use</source>
             <translation>das Archiv ist auf eine Weise komprimiert, die NumPy nicht verwendet</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/storage/npz.py" />
+            <location filename="../../../engine/phonemeengine/storage/files.py" />
             <source>the archive is damaged</source>
             <translation>das Archiv ist beschädigt</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/storage/npz.py" />
+            <location filename="../../../engine/phonemeengine/storage/files.py" />
             <source>the arrays have more than {largest} bytes</source>
             <translation>die Arrays haben mehr als {largest} Byte</translation>
         </message>
@@ -10320,7 +10320,7 @@
             <translation>der Erkenner {recogniser} hat kein anderes Modell; ein Preset mit einem Netz wählen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/presets/rule_text.py" />
+            <location filename="../../../engine/phonemeengine/presets/preset.py" />
             <source>the recogniser {recogniser} has no rules; choose a preset with rules, such as extended, or find some with phonemeanalyser rules</source>
             <translation>Der Erkenner {recogniser} hat keine Regeln; ein Preset mit Regeln wählen, etwa extended, oder welche mit phonemeanalyser rules suchen</translation>
         </message>
@@ -10360,7 +10360,7 @@
             <translation>die Aufnahme geht weiter, sobald das Signal zurück ist</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/calibration/alignment.py" />
+            <location filename="../../../engine/phonemeengine/calibration/takes/sentences.py" />
             <source>the recording does not match this sentence; read it again exactly as shown, without rushing</source>
             <translation>die Aufnahme passt nicht zu diesem Satz; ihn noch einmal genau so vorlesen, wie er dasteht, ohne Eile</translation>
         </message>
@@ -10380,7 +10380,7 @@
             <translation>Die Aufnahme ist übersteuert: {percent} % der Samples liegen bei Vollaussteuerung. Noch einmal sprechen, etwas weiter weg vom Mikrofon oder mit geringerem Pegel.</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/calibration/alignment.py" />
+            <location filename="../../../engine/phonemeengine/calibration/takes/sentences.py" />
             <source>the recording is too short for this sentence; read all of it, without rushing</source>
             <translation>die Aufnahme ist zu kurz für diesen Satz; den ganzen Satz ohne Eile vorlesen</translation>
         </message>
@@ -10690,7 +10690,7 @@
             <translation>{unit}: {spans} vorhanden, gefunden Grenze {boundary}; 0..{len} wählen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/storage/npz.py" />
+            <location filename="../../../engine/phonemeengine/storage/files.py" />
             <source>there is a file in the archive that is no array</source>
             <translation>im Archiv liegt eine Datei, die kein Array ist</translation>
         </message>
@@ -10785,7 +10785,7 @@
             <translation>keine Aufnahme mit der Nummer {number}</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/calibration/sentences.py" />
+            <location filename="../../../engine/phonemeengine/calibration/takes/sentences.py" />
             <source>there is no sentence in {language}; {languages}</source>
             <translation>Kein Satz in {language} vorhanden; {languages}</translation>
         </message>
@@ -13450,7 +13450,7 @@
             <translation>{phoneme}: Attack {attack} ms, Release {release} ms</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/calibration/sentences.py" />
+            <location filename="../../../engine/phonemeengine/calibration/takes/sentences.py" />
             <source>{phone} is no sound of the phonetic alphabet; spell the sentence with those of IPA</source>
             <translation>{phone} ist kein Laut der Lautschrift; den Satz mit IPA-Zeichen schreiben</translation>
         </message>
@@ -13510,7 +13510,7 @@
             <translation>{place}: Das Mesh ist nicht abgeschlossen; abgeschnitten, neu exportieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/calibration/takes/spoken.py" />
+            <location filename="../../../engine/phonemeengine/calibration/takes/sentences.py" />
             <source>{place}: this folder cannot be made ({error}); choose another for the takes</source>
             <translation>{place}: Dieser Ordner lässt sich nicht anlegen ({error}); anderen für die Takes wählen</translation>
         </message>

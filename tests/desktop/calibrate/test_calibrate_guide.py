@@ -14,8 +14,7 @@ from phonemeanalyser.desktop.calibrate.guide.guide_model import QUIET, SOUNDS, P
 from phonemeengine.calibration.calibrate import CalibrationResult, calibrate, loss_of
 from phonemeengine.calibration.scores.comparison import Gain, Gains
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, read_recordings
-from phonemeengine.calibration.sentences import LANGUAGES, SENTENCES
-from phonemeengine.calibration.takes.spoken import onset_in
+from phonemeengine.calibration.takes.sentences import LANGUAGES, SENTENCES, onset_in
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, save_preset
 from phonemeengine.presets.preset import Preset

@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from phonemeengine.calibration.fits.rule_search import conditions_in
 from phonemeengine.features.variables import BUILT_IN_NAMES
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.rule_text import rule_lines
+from phonemeengine.presets.preset import rule_lines
 from tests.desktop.calibrate.calibrating import CONTROL, Calibrator, corpus
 from tests.desktop.hands import click, press
 from tests.desktop.studio import Booth, choose

@@ -9,8 +9,8 @@ import pytest
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.drivers.movement import movement_of, recording_of
 from phonemeengine.audio.files import SoundReader
+from phonemeengine.mouth.animation import FaceDriver
 from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.performance.driver import FACE
 from phonemeengine.performance.face_network import (
     LAGS,

@@ -13,8 +13,8 @@ from phonemeanalyser.desktop.talk.words.voice_panel import VoicePanel
 from phonemeengine.analyser import analyse_file
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.labels.utterance_files import format_utterance
+from phonemeengine.mouth.animation import FaceDriver
 from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.transcript import Transcript, scripted_transcript_of
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.corpus import build_table

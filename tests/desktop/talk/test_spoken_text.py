@@ -19,7 +19,7 @@ from phonemeengine.errors import VoiceError
 from phonemeengine.labels.files import read_labels
 from phonemeengine.labels.utterance import LabelUnit, Phone, Syllable, Utterance, Word, spans_of
 from phonemeengine.labels.utterance_files import format_utterance
-from phonemeengine.mouth.face_driver import FaceDriver
+from phonemeengine.mouth.animation import FaceDriver
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import THESIS_PRESET
 from tests.desktop.sessions import settled

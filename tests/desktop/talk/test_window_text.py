@@ -24,7 +24,7 @@ from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.analyser import Analysis
 from phonemeengine.labels.utterance import LabelUnit, Utterance, spans_of
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
-from phonemeengine.mouth.face_driver import FaceDriver
+from phonemeengine.mouth.animation import FaceDriver
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.table_file import write_table
 from phonemeengine.phonemes import Phoneme

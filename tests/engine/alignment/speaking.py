@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from phonemeengine.alignment.evidence import Evidence
-from phonemeengine.alignment.manners import KINDS, MANNERS, Manner, kind_of
+from phonemeengine.alignment.evidence import KINDS, MANNERS, Evidence, Manner, kind_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.text.pronunciation import Pronunciation, ScriptWord
 from phonemeengine.text.syllables import SpokenSyllable

@@ -5,16 +5,19 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from phonemeengine.alignment.evidence import SHARES, Evidence, shortfalls_of, spoken_in
-from phonemeengine.alignment.manners import (
+from phonemeengine.alignment.evidence import (
     KINDS,
     MANNERS,
+    SHARES,
+    Evidence,
     Manner,
     kind_of,
     least_frames_of,
     levels_of,
     log_likelihoods,
     measured_of,
+    shortfalls_of,
+    spoken_in,
 )
 from phonemeengine.labels.phone_sets import IPA, ipa_phoneme
 from phonemeengine.labels.visemes import Viseme

@@ -6,11 +6,18 @@ import numpy as np
 import pytest
 import soundfile
 
-from phonemeengine.calibration.alignment import aligned, read_sentence
 from phonemeengine.calibration.scores.corpus import frame_labels_of, read_recordings
-from phonemeengine.calibration.sentences import LANGUAGES, SENTENCES, Sentence, sentences_in
 from phonemeengine.calibration.takes.project import TakeProject
-from phonemeengine.calibration.takes.spoken import keep_sentence, quiet_at_end
+from phonemeengine.calibration.takes.sentences import (
+    LANGUAGES,
+    SENTENCES,
+    Sentence,
+    aligned,
+    keep_sentence,
+    quiet_at_end,
+    read_sentence,
+    sentences_in,
+)
 from phonemeengine.calibration.takes.take import TRIMMED
 from phonemeengine.errors import CorpusError, TakeError
 from phonemeengine.labels.phone_sets import ipa_phoneme

@@ -27,8 +27,7 @@ from phonemeengine.execution import Progress, no_progress, report_progress, subr
 from phonemeengine.features.variables import PITCH, Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.controls import with_number
-from phonemeengine.presets.preset import Preset
-from phonemeengine.presets.rule_text import with_own_rules
+from phonemeengine.presets.preset import Preset, with_own_rules
 from phonemeengine.recognition.rules import FILTER_FIELDS, RULES, Condition, PitchSet, Rule
 from phonemeengine.recognition.spec import spec_of
 

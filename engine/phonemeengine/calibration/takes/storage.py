@@ -14,7 +14,6 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.locking import lock_at
 from phonemeengine.audio.recording import write_flac
 from phonemeengine.calibration.takes.take import (
     DELETED,
@@ -33,6 +32,7 @@ from phonemeengine.labels.files import read_labels, write_labels
 from phonemeengine.labels.utterance import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.storage.files import atomic_write, free_path, printable_name, reason_of
+from phonemeengine.storage.replacing import lock_at
 
 # Label files for other programs beside the sounds of takes: copies of what the corpus format says there.
 #

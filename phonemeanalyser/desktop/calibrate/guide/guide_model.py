@@ -20,10 +20,9 @@ from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.calibration.sentences import LANGUAGES, Sentence, sentences_in
+from phonemeengine.calibration.takes import sentences
 from phonemeengine.calibration.takes.quality import check_take
 from phonemeengine.calibration.takes.room_noise import RoomNoise, measure_room
-from phonemeengine.calibration.takes.spoken import keep_sentence, onset_in, quiet_at_end
 from phonemeengine.errors import EngineError, TakeError
 from phonemeengine.execution import Progress
 from phonemeengine.live.recorder import to_mono_44k
@@ -69,7 +68,7 @@ class Step:
     say: str
     hint: str
     seconds: float = 1.4
-    sentence: Sentence | None = None
+    sentence: sentences.Sentence | None = None
     teaches: bool = True
 
     @property
@@ -101,13 +100,13 @@ SOUNDS = (
 
 def steps_of(language: str, *, by_sounds: bool) -> tuple[Step, ...]:
     """Return what is asked for, in order: the room, a sentence or single sounds, and a sentence to judge by."""
-    learned, judged = sentences_in(language)
+    learned, judged = sentences.sentences_in(language)
     if by_sounds:
         return (QUIET, *SOUNDS, _reading(learned, teaches=False))
     return (QUIET, _reading(learned, teaches=True), _reading(judged, teaches=False))
 
 
-def _reading(sentence: Sentence, *, teaches: bool) -> Step:
+def _reading(sentence: sentences.Sentence, *, teaches: bool) -> Step:
     seconds = len(sentence.sounds) / SOUNDS_PER_S
     return Step(Phoneme.UNIDENTIFIED, tr_noop("Read aloud"), sentence.text, seconds, sentence, teaches)
 
@@ -156,7 +155,7 @@ class GuideModel(QObject):
         self.numbers: dict[int, int] = {}
         self.room: RoomNoise | None = None
         self.outcome: CalibrationResult | None = None
-        self.language, self.by_sounds = LANGUAGES[0], False
+        self.language, self.by_sounds = sentences.LANGUAGES[0], False
         self._language_chosen = False
         self.steps = steps_of(self.language, by_sounds=self.by_sounds)
         self.sentences: dict[int, LabelledUtterance] = {}
@@ -255,7 +254,7 @@ class GuideModel(QObject):
         """Say what will be asked for, with the microphone on, and wait for `start`."""
         self.numbers, self.room, self.outcome, self.sentences, self._awaited = {}, None, None, {}, []
         if not self._language_chosen:
-            self.language = SENTENCES_OF.get(language_in_use(), LANGUAGES[0])
+            self.language = SENTENCES_OF.get(language_in_use(), sentences.LANGUAGES[0])
             self.steps = steps_of(self.language, by_sounds=self.by_sounds)
         self.index, self.advice = 0, ""
         self._show(Phase.READY)
@@ -364,7 +363,7 @@ class GuideModel(QObject):
 
     def _look_for_voice(self) -> None:
         sound, rate = self._capture.so_far()
-        found = onset_in(sound, rate, self._least_voice)
+        found = sentences.onset_in(sound, rate, self._least_voice)
         if found is not None:
             self._voice_at = found
             self.advice = ""
@@ -382,7 +381,7 @@ class GuideModel(QObject):
         if self.step.sentence is None:
             return capture.seconds >= voice_at + self.step.seconds
         sound, rate = capture.so_far()
-        quiet = quiet_at_end(sound, rate, self._least_voice)
+        quiet = sentences.quiet_at_end(sound, rate, self._least_voice)
         return quiet >= AFTER_SENTENCE or capture.seconds >= voice_at + LONGEST_SENTENCE
 
     @property
@@ -390,7 +389,7 @@ class GuideModel(QObject):
         """How loud a voice is at least, an amplitude."""
         return max(ABOVE_ROOM * (self.room.level if self.room is not None else 0.0), LEAST_VOICE)
 
-    def _check_sentence(self, sentence: Sentence) -> None:
+    def _check_sentence(self, sentence: sentences.Sentence) -> None:
         """Label the sentence, or say why it must be read again."""
         samples, rate = self._capture.end()
         samples = samples[round(max(0.0, (self._voice_at or 0.0) - BEFORE_SENTENCE) * rate) :]
@@ -405,7 +404,7 @@ class GuideModel(QObject):
                 raise TakeError(
                     tr("The background noise has not been recorded yet. Go back and keep quiet for two seconds.")
                 )
-            return keep_sentence(folder, samples, rate, mono, sentence, speaker, teaches=teaches)
+            return sentences.keep_sentence(folder, samples, rate, mono, sentence, speaker, teaches=teaches)
 
         self._checks.replace(keep, self._take_sentence)
         self._show(Phase.CHECKING)

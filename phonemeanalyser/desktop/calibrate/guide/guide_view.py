@@ -19,7 +19,7 @@ from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.builders import choice, column, label, row, silent, spoken_button, tab_buttons
 from phonemeanalyser.desktop.widgets.level_meter import LevelMeterView
 from phonemeengine.calibration.calibrate import CalibrationResult
-from phonemeengine.calibration.sentences import LANGUAGES
+from phonemeengine.calibration.takes.sentences import LANGUAGES
 from phonemeengine.phonemes import Phoneme
 
 UNCLEAR = tr_noop(

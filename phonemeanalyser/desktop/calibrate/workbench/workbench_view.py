@@ -25,7 +25,7 @@ from phonemeengine.calibration.fits.rule_finding import MOST_CONDITIONS_IN_ALL
 from phonemeengine.calibration.fits.rule_search import conditions_in
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.presets.model_choice import for_files, model_in_words
-from phonemeengine.presets.rule_text import rule_lines
+from phonemeengine.presets.preset import rule_lines
 from phonemeengine.settings import ModelKind
 
 

@@ -10,7 +10,7 @@ from phonemeanalyser.desktop.talk.drivers.difference_model import DifferenceMode
 from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET, DriverModel
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.widgets.builders import ElidedLabel, open_without_arrow, row, spoken_button
-from phonemeengine.mouth.face_driver import NEEDS_FILE, FaceDriver
+from phonemeengine.mouth.animation import NEEDS_FILE, FaceDriver
 
 COMPARISONS = {
     None: tr_noop("No Comparison"),

@@ -16,7 +16,7 @@ from phonemeengine.conversion.driving import DriverChoice
 from phonemeengine.errors import TextError
 from phonemeengine.execution import Progress, report_progress
 from phonemeengine.labels.utterance import Utterance
-from phonemeengine.mouth.face_driver import NEEDS_FILE, FaceDriver, usual_driver
+from phonemeengine.mouth.animation import NEEDS_FILE, FaceDriver, usual_driver
 from phonemeengine.mouth.performer import MouthTrack
 from phonemeengine.performance import face_network
 from phonemeengine.performance.track import SpokenFace

@@ -14,7 +14,7 @@ from phonemeanalyser.desktop.talk.words.voice_model import FASTEST, SLOWEST, Voi
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import choice, label, named, offer, silent
 from phonemeanalyser.desktop.widgets.fields import NumberField
-from phonemeengine.mouth.face_driver import NEEDS_FILE, FaceDriver
+from phonemeengine.mouth.animation import NEEDS_FILE, FaceDriver
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.table_file import TableAbout
 from phonemeengine.speech.program import OUTPUT, TEXT
