@@ -20,14 +20,7 @@ from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.mel import spread_mel
 from phonemeengine.errors import SettingsError
 from phonemeengine.execution import Progress, no_progress, report_progress
-from phonemeengine.features.front_end import (
-    FrameBlock,
-    FrontEnd,
-    LevelFrontEnd,
-    LookAheadBuffer,
-    PitchSetFrontEnd,
-    concatenate,
-)
+from phonemeengine.features import front_end
 from phonemeengine.features.variables import Features
 from phonemeengine.labels.visemes import STANDARD_VISEMES, VisemeSet
 from phonemeengine.phonemes import Phoneme
@@ -73,7 +66,7 @@ class Analysis(ShortRepr):
     """
 
     start: int
-    frames: FrameBlock
+    frames: front_end.FrameBlock
     recognised: UInt8Array
     phonemes: UInt8Array
     visemes: UInt8Array
@@ -178,7 +171,7 @@ class Analyser:
         self._path = self._path_of(preset)
         self._use(recogniser_for(preset) if recogniser is None else completed(recogniser))
         self._statistics, self._visemes = PhonemeSmoother(*_smoothing_of(preset)), VisemeSmoother()
-        self._waiting = LookAheadBuffer()
+        self._waiting = front_end.LookAheadBuffer()
         self._arrived = _NONE_ARRIVED
         self._unasked = False
         self._next = start
@@ -272,16 +265,16 @@ class Analyser:
         self._arrived = _NONE_ARRIVED if len(found) else frames
         return replace(found, arrived=frames) if len(found) else found
 
-    def _recognise(self, measured: FrameBlock) -> Analysis:
+    def _recognise(self, measured: front_end.FrameBlock) -> Analysis:
         return self._answered(measured, self._recogniser.recognise(measured.windows, measured.features))
 
-    def _answered(self, measured: FrameBlock, recognition: Recognition) -> Analysis:
+    def _answered(self, measured: front_end.FrameBlock, recognition: Recognition) -> Analysis:
         """Return the frames that the recogniser has spoken of, of those that came now or wait."""
         if self._recogniser.look_ahead:
             measured = self._waiting.delay(measured, len(recognition.phonemes))
         return self._completed(measured, recognition)
 
-    def _completed(self, measured: FrameBlock, recognition: Recognition) -> Analysis:
+    def _completed(self, measured: front_end.FrameBlock, recognition: Recognition) -> Analysis:
         settings = self._preset.settings
         phonemes = recognised = recognition.phonemes
         levels = measured.features["volume"]
@@ -302,12 +295,14 @@ class Analyser:
         seen, kind = recognition.visemes, recognition.viseme_set
         return Analysis(start, measured, recognised, phonemes, visemes, intensities, sure, settings, seen, kind)
 
-    def _path_of(self, preset: Preset) -> FrontEnd | LevelFrontEnd | PitchSetFrontEnd:
+    def _path_of(self, preset: Preset) -> front_end.FrontEnd | front_end.LevelFrontEnd | front_end.PitchSetFrontEnd:
         if self._leaves_features_out(preset):
-            return LevelFrontEnd()
+            return front_end.LevelFrontEnd()
         if preset.pitch_ranges:
-            return PitchSetFrontEnd([p.settings for p in preset.by_pitch], preset.pitch_ranges, preset.variables)
-        return FrontEnd(preset.settings, preset.variables, pitch=self._pitch)
+            return front_end.PitchSetFrontEnd(
+                [p.settings for p in preset.by_pitch], preset.pitch_ranges, preset.variables
+            )
+        return front_end.FrontEnd(preset.settings, preset.variables, pitch=self._pitch)
 
     def _path_key(self, preset: Preset) -> object:
         settings = [p.settings for p in preset.by_pitch]
@@ -384,7 +379,7 @@ def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
     of_visemes = [a.viseme_scores for a in blocks if a.viseme_scores is not None]
     return Analysis(
         analyses[0].start,
-        concatenate([a.frames for a in analyses]),
+        front_end.concatenate([a.frames for a in analyses]),
         settings=analyses[-1].settings,
         viseme_scores=np.concatenate(of_visemes) if len(of_visemes) == len(blocks) else None,
         viseme_set=analyses[-1].viseme_set,

@@ -17,13 +17,7 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from phonemeengine.arrays import Float32Array, Int64Array
-from phonemeengine.calibration.fine_tuning import (
-    N_SOFT_LABELS,
-    TrainingExample,
-    example_of,
-    sound_of,
-    whisper_mels_of,
-)
+from phonemeengine.calibration import fine_tuning
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.dsp.mel import N_BANDS
 from phonemeengine.encoder.weights import N_MELS
@@ -69,7 +63,7 @@ def load_soft_labels(path: Path) -> dict[str, NDArray[np.float16]]:
         raise CorpusError(
             f"{path.name}: the soft labels cannot be read ({reason}); have the teacher recognise again"
         ) from error
-    if any(a.ndim != 2 or a.shape[1] != N_SOFT_LABELS or a.dtype != np.float16 for a in found.values()):
+    if any(a.ndim != 2 or a.shape[1] != fine_tuning.N_SOFT_LABELS or a.dtype != np.float16 for a in found.values()):
         raise CorpusError(f"{path.name}: these are no soft labels of this version; have the teacher recognise again")
     return found
 
@@ -80,7 +74,7 @@ ARRAYS: dict[str, tuple[type[np.generic], tuple[int, ...]]] = {
     "phonemes": (np.uint8, ()),
     "visemes": (np.uint8, ()),
     "certainties": (np.float16, ()),
-    "soft_labels": (np.float16, (N_SOFT_LABELS,)),
+    "soft_labels": (np.float16, (fine_tuning.N_SOFT_LABELS,)),
 }
 """The arrays of an example, each in a file of its own: kind, and shape of a frame. The bands of the small network
 and those of Whisper come from the same windows."""
@@ -88,7 +82,7 @@ INDEX = "index.json"
 
 
 @dataclass(frozen=True, eq=False)
-class RecordingExample(TrainingExample):
+class RecordingExample(fine_tuning.TrainingExample):
     """One variation of one recording, for all networks.
 
     Attributes
@@ -288,7 +282,7 @@ def _examples(
     utterance, n_variations, seed, soft = task
     generator = np.random.default_rng([seed, *utterance.path.name.encode()])
     try:
-        samples = sound_of(utterance)
+        samples = fine_tuning.sound_of(utterance)
     except EngineError as error:
         return EngineError(str(error))
     variations = [Augmentation(), *(draw_augmentation(generator) for _ in range(n_variations))]
@@ -309,6 +303,8 @@ def _augmented_example(
         frames = (np.arange(int(len(soft) / variation.rate)) + 0.5) * variation.rate
         soft = soft[np.minimum(frames.astype(int), len(soft) - 1)]
     varied, warp = augment(samples, variation, generator), round(variation.warp, 2)
-    example = example_of(varied, moved, warp, soft)
+    example = fine_tuning.example_of(varied, moved, warp, soft)
     known = {field.name: getattr(example, field.name) for field in fields(example)}
-    return RecordingExample(**known, mels=whisper_mels_of(varied, warp)[: len(example)].astype(np.float16))
+    return RecordingExample(
+        **known, mels=fine_tuning.whisper_mels_of(varied, warp)[: len(example)].astype(np.float16)
+    )

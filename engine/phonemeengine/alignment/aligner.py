@@ -10,18 +10,9 @@ from itertools import pairwise
 
 import numpy as np
 
+from phonemeengine.alignment import viterbi
 from phonemeengine.alignment.evidence import Evidence, joined, least_frames_of, shortfalls_of, spoken_in
 from phonemeengine.alignment.passage import Passage
-from phonemeengine.alignment.viterbi import (
-    SILENT,
-    SKIPPED,
-    SOUND,
-    STRANGE,
-    LeastFrames,
-    Prices,
-    WayStep,
-    cheapest_way,
-)
 from phonemeengine.arrays import BoolArray, Float32Array, Float64Array
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Phone, Syllable, Utterance, Word
@@ -40,7 +31,7 @@ LOUD = 90
 
 
 def edges_of(
-    steps: Sequence[WayStep], passage: Passage, shortfalls: Float64Array, evidence: Evidence
+    steps: Sequence[viterbi.WayStep], passage: Passage, shortfalls: Float64Array, evidence: Evidence
 ) -> Mapping[int, float]:
     """Return where the edges between the steps of a way are, in frames, by the number of the frame after each."""
     levels, spoken = evidence.levels[:, 0], spoken_in(evidence)
@@ -48,10 +39,10 @@ def edges_of(
     # compared, before a pause the level decides.
     quiet = float(np.percentile(levels[spoken], LOUD)) - FADED if spoken.any() else np.inf
     edges: dict[int, float] = {}
-    lasting = [step for step in steps if step.kind != SKIPPED]
+    lasting = [step for step in steps if step.kind != viterbi.SKIPPED]
     for step, following in pairwise(lasting):
         edge = step.last
-        if step.kind == SOUND and following.kind == SILENT and not passage.closes(following, lasting):
+        if step.kind == viterbi.SOUND and following.kind == viterbi.SILENT and not passage.closes(following, lasting):
             edges[edge] = _faded(levels, step, following, quiet)
         else:
             columns = [passage.column_of(part) for part in (step, following)]
@@ -67,7 +58,7 @@ def _crossing(lead: Float64Array, edge: int) -> float:
     return edge - 0.5 + before / (before - after) if before > 0 > after else float(edge)
 
 
-def _faded(levels: Float32Array, step: WayStep, pause: WayStep, quiet: float) -> float:
+def _faded(levels: Float32Array, step: viterbi.WayStep, pause: viterbi.WayStep, quiet: float) -> float:
     """Return where a sound before a pause has faded, at the earliest where silence is recognised."""
     # Where the room is noisy speech never falls FADED dB; then it ends where it sinks into the noise.
     limit = max(quiet, float(levels[pause.first : pause.last].min()) + ABOVE_PAUSE)
@@ -130,7 +121,9 @@ class TextFit:
         return self.mean < other.mean
 
 
-def fit_of(steps: Sequence[WayStep], passage: Passage, shortfalls: Float64Array, spoken: BoolArray) -> TextFit:
+def fit_of(
+    steps: Sequence[viterbi.WayStep], passage: Passage, shortfalls: Float64Array, spoken: BoolArray
+) -> TextFit:
     """Return how badly a way through a passage fits.
 
     Parameters
@@ -143,16 +136,18 @@ def fit_of(steps: Sequence[WayStep], passage: Passage, shortfalls: Float64Array,
     fit = TextFit()
     for step in steps:
         frames = slice(step.first, step.last)
-        if step.kind == SOUND:
+        if step.kind == viterbi.SOUND:
             kind = passage.lattice.columns[step.sound]
             fit += TextFit(_of_a_sound(shortfalls[frames, kind]), 1.0)
-        elif step.kind == SKIPPED:
+        elif step.kind == viterbi.SKIPPED:
             n_skipped = float(passage.lattice.fewest[step.sound])
             fit += TextFit(WORST_SOUND * n_skipped, n_skipped)
         elif spoken[frames].any():
             n_besides = np.count_nonzero(spoken[frames]) / FRAMES_OF_A_SOUND
             quiet = shortfalls[frames, 0][spoken[frames]]
-            fit += TextFit(n_besides * (STRANGE_SOUND if step.kind == STRANGE else _of_a_sound(quiet)), n_besides)
+            fit += TextFit(
+                n_besides * (STRANGE_SOUND if step.kind == viterbi.STRANGE else _of_a_sound(quiet)), n_besides
+            )
     return fit
 
 
@@ -164,11 +159,11 @@ STRETCH, UNSETTLED = 1000, 220
 """Frames that are aligned at once, and how many at their end stay unsettled."""
 MOST_SOUNDS = 200
 """Sounds of the text that may be in a section: 20 a second, more than fast speakers say."""
-ONLY_THE_TEXT = Prices(silence=3.0)
-PRICES = Prices(silence=3.0, skip=42.0, skip_sound=3.0, strange=35.0, strange_frame=1.0)
+ONLY_THE_TEXT = viterbi.Prices(silence=3.0)
+PRICES = viterbi.Prices(silence=3.0, skip=42.0, skip_sound=3.0, strange=35.0, strange_frame=1.0)
 """What does not fit costs so much: of 113 words that are left out 90 are found (of those of up to three sounds 6 in
 10), and in 3 of 158 lines that are said as they are written a word is taken to be left out."""
-PRICES_OF_ACCEPTED = Prices(silence=3.0, skip=126.0, skip_sound=9.0, strange=105.0, strange_frame=3.0)
+PRICES_OF_ACCEPTED = viterbi.Prices(silence=3.0, skip=126.0, skip_sound=9.0, strange=105.0, strange_frame=3.0)
 """The same thrice, for a text that is known to be spoken."""
 UNHURRIED = 0.6
 """Sounds last their usual least duration where all of them fill no more than this share of the whole sound."""
@@ -236,8 +231,8 @@ class Aligner:
         whole = last and end > len(self._words)
         spoken, first = spoken_in(evidence), not self._n_words
         hurry = max(self._hurry, _hurry_of(passage.words, _n_about(spoken))) if whole else self._hurry
-        shortfalls, least = shortfalls_of(evidence), LeastFrames(passage.least_frames(hurry))
-        way = cheapest_way(shortfalls, passage.lattice, self._prices, least, whole=whole)
+        shortfalls, least = shortfalls_of(evidence), viterbi.LeastFrames(passage.least_frames(hurry))
+        way = viterbi.cheapest_way(shortfalls, passage.lattice, self._prices, least, whole=whole)
         assert way is not None  # all of it may be strange
         steps = way.steps if last else settled_steps(way.steps, len(evidence) - UNSETTLED, passage)
         n = steps[-1].last if steps else 0
@@ -245,7 +240,7 @@ class Aligner:
         # A short text may fit badly only because the cheapest way skipped what was said: without skips it gets a
         # second chance.
         if fit.is_wrong and whole and first:
-            strict = cheapest_way(shortfalls, passage.lattice, ONLY_THE_TEXT, least)
+            strict = viterbi.cheapest_way(shortfalls, passage.lattice, ONLY_THE_TEXT, least)
             fit = fit if strict is None else min(fit, fit_of(strict.steps, passage, shortfalls, spoken))
         self._fit += fit
         edges = edges_of(steps, passage, shortfalls, evidence)
@@ -256,12 +251,16 @@ class Aligner:
         return n
 
 
-def settled_steps(steps: Sequence[WayStep], limit: int, passage: Passage) -> Sequence[WayStep]:
+def settled_steps(steps: Sequence[viterbi.WayStep], limit: int, passage: Passage) -> Sequence[viterbi.WayStep]:
     """Return the steps up to the last end of a word before a frame; pauses and unknown speech are cut there."""
     # The cheapest way hardly changes but near its end, as more sound comes; `UNSETTLED` frames are left for that.
     ends = [k for k, step in enumerate(steps) if step.last <= limit and passage.ends_word(step)]
     n = ends[-1] + 1 if ends else 0
-    if n < len(steps) and steps[n].kind in {SILENT, STRANGE} and steps[n].first < limit < steps[n].last:
+    if (
+        n < len(steps)
+        and steps[n].kind in {viterbi.SILENT, viterbi.STRANGE}
+        and steps[n].first < limit < steps[n].last
+    ):
         return [*steps[:n], steps[n]._replace(last=limit)]
     return steps[:n] or steps
 

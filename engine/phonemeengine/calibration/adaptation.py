@@ -14,16 +14,7 @@ from functools import partial
 import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
-from phonemeengine.calibration.fine_tuning import (
-    HEAD_SHARES,
-    TrainingExample,
-    TrainingSegment,
-    example_of,
-    fine_tuned,
-    softmax_of,
-    sound_of,
-    whisper_mels_of,
-)
+from phonemeengine.calibration import fine_tuning
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.dsp.mel import silent_log_mels
 from phonemeengine.encoder.head import HALVES, N_OUTPUTS
@@ -125,7 +116,7 @@ class _LabelStats:
         return cls(competing, (BALANCE / np.maximum(totals, BALANCE) * competing).astype(np.float32), targets)
 
 
-def adapt(model: Model, examples: Sequence[TrainingExample], warp: float = 1.0) -> tuple[Model, ...]:
+def adapt(model: Model, examples: Sequence[fine_tuning.TrainingExample], warp: float = 1.0) -> tuple[Model, ...]:
     """Return a model adapted to the labelled recordings or takes of one voice, by each of `step_sizes`.
 
     Parameters
@@ -155,7 +146,7 @@ def adapt(model: Model, examples: Sequence[TrainingExample], warp: float = 1.0) 
 
 
 def adapt_live_head(
-    live: Preset, examples: Sequence[TrainingExample], states: Sequence[Float32Array], warp: float = 1.0
+    live: Preset, examples: Sequence[fine_tuning.TrainingExample], states: Sequence[Float32Array], warp: float = 1.0
 ) -> tuple[LiveHead, ...]:
     """Return the head of the real-time model adapted to one voice, by each of `step_sizes`.
 
@@ -179,7 +170,9 @@ def adapt_live_head(
     begun, kinds = OutputHead(head.weights, head.bias), _kinds_of(N_OUTPUTS)
     halves = _one_by_one(begun, HALVES)
     anchors = [_anchor_of(hidden, hidden, halves, kinds) for hidden in encoder.anchor_states(ahead)]
-    tuned = fine_tuned((), begun, kinds, np.ones(HALVES, np.float32), segments, anchors, HEAD_ANCHORED).head
+    tuned = fine_tuning.fine_tuned(
+        (), begun, kinds, np.ones(HALVES, np.float32), segments, anchors, HEAD_ANCHORED
+    ).head
     found = (_head_between(begun, tuned, share) for share in step_sizes(warp))
     return tuple(replace(head, weights=moved.weights, bias=moved.bias, warp=warp) for moved in found)
 
@@ -194,14 +187,14 @@ def adapt_to_takes(
     assert preset.model is not None
     live = with_real_time_model(preset)
     warp = _best_warp(preset.model, takes)
-    examples: list[TrainingExample] = []
+    examples: list[fine_tuning.TrainingExample] = []
     states: list[Float32Array] = []
     for k, utterance in enumerate(takes):
         report_progress(progress, 0.5 * k / len(takes))
-        sound = sound_of(utterance)
-        examples.append(example_of(sound, utterance.labels, warp))
+        sound = fine_tuning.sound_of(utterance)
+        examples.append(fine_tuning.example_of(sound, utterance.labels, warp))
         if live.model_kind is ModelKind.ENCODER:
-            states.append(states_in(live, whisper_mels_of(sound, warp)))
+            states.append(states_in(live, fine_tuning.whisper_mels_of(sound, warp)))
     report_progress(progress, 0.5)
     models = adapt(preset.model, examples, warp)
     if live.model_kind is ModelKind.ENCODER:
@@ -219,16 +212,16 @@ def _best_warp(model: Model, takes: Sequence[LabelledUtterance]) -> float:
     """
     # spread over all takes, which may be sorted by phoneme; the features of each are measured once for each warp
     chosen = takes[:: max(1, -(-len(takes) // MOST_TRIED))]
-    some = [(sound_of(take)[: int(SECONDS_TRIED * SAMPLE_RATE)], take) for take in chosen]
+    some = [(fine_tuning.sound_of(take)[: int(SECONDS_TRIED * SAMPLE_RATE)], take) for take in chosen]
 
     def score(warp: float) -> float:
-        examples = [example_of(sound, take.labels, warp) for sound, take in some]
+        examples = [fine_tuning.example_of(sound, take.labels, warp) for sound, take in some]
         return _likelihood_of(model, examples) - LEAST_GAIN * (warp != 1)
 
     return max(WARPS, key=score)
 
 
-def _likelihood_of(model: Model, examples: Sequence[TrainingExample]) -> float:
+def _likelihood_of(model: Model, examples: Sequence[fine_tuning.TrainingExample]) -> float:
     """Return the mean logarithm of the probability of the labelled speech sounds, nats a frame; 0 without any.
 
     Silence tells nothing of a vocal tract: two seconds of it beside a sentence would outweigh a child's vowels.
@@ -237,7 +230,7 @@ def _likelihood_of(model: Model, examples: Sequence[TrainingExample]) -> float:
     for example in examples:
         encoded, head = _encode(model, example), model.heads[-1]
         scores = _through_last_layers(model, encoded.hidden) @ head.weights + head.bias
-        shares = softmax_of(scores[len(model.heads) - 1 :], np.ones(len(Phoneme), bool))
+        shares = fine_tuning.softmax_of(scores[len(model.heads) - 1 :], np.ones(len(Phoneme), bool))
         (codes, *_), (weights, *_) = encoded.codes, encoded.weights
         known = (weights > 0) & (codes != Phoneme.SILENCE)
         total += float(weights[known] @ np.log(np.maximum(shares[known, codes[known]], LEAST_SHARE)))
@@ -255,7 +248,9 @@ def _with_more_silence(preset: Preset) -> Preset:
 # What both models learn from: labels, put where they answer, and anchors.
 
 
-def _labelled(hidden: Float32Array, example: TrainingExample, viseme_set: VisemeSet, n_kinds: int) -> _Encoded:
+def _labelled(
+    hidden: Float32Array, example: fine_tuning.TrainingExample, viseme_set: VisemeSet, n_kinds: int
+) -> _Encoded:
     weights = example.certainties.astype(np.float32)
     visemes = viseme_set.codes_of(example.visemes, STANDARD_VISEMES)
     said = visemes != NO_VISEME
@@ -275,7 +270,7 @@ def _shown_by(viseme_set: VisemeSet, phonemes: UInt8Array) -> UInt8Array:
 
 def _segments_of(
     encoded: Sequence[_Encoded], stats: Sequence[_LabelStats], place: Callable[[Float32Array], Float32Array]
-) -> list[TrainingSegment]:
+) -> list[fine_tuning.TrainingSegment]:
     """Return what is to be answered; `place` puts what is known of each frame where the head answers for it."""
     kinds = range(len(stats))
     competing = np.concatenate([stat.competing for stat in stats])
@@ -284,7 +279,7 @@ def _segments_of(
         targets = np.concatenate([stats[k].targets[e.codes[k]] for k in kinds], axis=1)
         weights = np.stack([e.weights[k] * stats[k].class_weights[e.codes[k]] for k in kinds], axis=1)
         if weights.any():
-            segments.append(TrainingSegment(e.hidden, place(targets), place(weights), competing))
+            segments.append(fine_tuning.TrainingSegment(e.hidden, place(targets), place(weights), competing))
     return segments
 
 
@@ -305,7 +300,7 @@ def _by_state(values: Float32Array) -> Float32Array:
 
 def _anchor_of(
     hidden: Float32Array, outputs: Float32Array, heads: Sequence[OutputHead], kinds: Sequence[slice]
-) -> TrainingSegment:
+) -> fine_tuning.TrainingSegment:
     """Return an excerpt of other voices, to be named as it is named now.
 
     Parameters
@@ -315,8 +310,10 @@ def _anchor_of(
     """
     scores = np.stack([outputs @ head.weights + head.bias for head in heads], axis=1)
     everything = np.ones(scores.shape[2], bool)
-    targets = np.concatenate([softmax_of(scores[..., kind], everything[kind]) for kind in kinds], axis=2)
-    return TrainingSegment(hidden, targets, np.ones((*targets.shape[:2], len(kinds)), np.float32), everything)
+    targets = np.concatenate([fine_tuning.softmax_of(scores[..., kind], everything[kind]) for kind in kinds], axis=2)
+    return fine_tuning.TrainingSegment(
+        hidden, targets, np.ones((*targets.shape[:2], len(kinds)), np.float32), everything
+    )
 
 
 def _kinds_of(n_classes: int) -> tuple[slice, ...]:
@@ -347,14 +344,14 @@ def _between(a: Float32Array, b: Float32Array, share: float) -> Float32Array:
 # The small network.
 
 
-def _encode(model: Model, example: TrainingExample) -> _Encoded:
+def _encode(model: Model, example: fine_tuning.TrainingExample) -> _Encoded:
     """Run the first layers over an example, and as many frames of silence after it as the model looks ahead."""
     after = silent_log_mels(len(model.heads) - 1)
     hidden = _first_layers(model).forward(np.concatenate((example.log_powers.astype(np.float32), after)))
     return _labelled(hidden, example, model.viseme_set, 2 if model.viseme_heads else 1)
 
 
-def _fine_tuned(model: Model, segments: Sequence[TrainingSegment]) -> Model:
+def _fine_tuned(model: Model, segments: Sequence[fine_tuning.TrainingSegment]) -> Model:
     """Return the model that has learned from the recordings."""
     heads = [_side_by_side(of_one) for of_one in zip(*_heads_by_kind(model), strict=True)]
     kinds, first = _kinds_of(len(heads[0].bias)), _first_tuned(model)
@@ -362,8 +359,10 @@ def _fine_tuned(model: Model, segments: Sequence[TrainingSegment]) -> Model:
     for log_powers in model.anchors:
         hidden = _first_layers(model).forward(log_powers)
         anchors.append(_anchor_of(hidden, _through_last_layers(model, hidden), heads, kinds))
-    shares = HEAD_SHARES[: len(heads)]
-    tuned = fine_tuned(model.layers[first:], _side_by_side(heads), kinds, shares, segments, anchors, ANCHORED)
+    shares = fine_tuning.HEAD_SHARES[: len(heads)]
+    tuned = fine_tuning.fine_tuned(
+        model.layers[first:], _side_by_side(heads), kinds, shares, segments, anchors, ANCHORED
+    )
     found = _one_by_one(tuned.head, len(heads))
     phonemes, *visemes = (tuple(OutputHead(h.weights[:, kind], h.bias[kind]) for h in found) for kind in kinds)
     layers = (*model.layers[:first], *tuned.layers)

@@ -22,16 +22,7 @@ from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.performance.face_network import Sound, sound_of
 from phonemeengine.settings import SAMPLE_RATE
-from phonemeengine.speech.pinyin.timing import (
-    PLAN_COLUMNS,
-    PlanRow,
-    SaidPart,
-    SentencePlanner,
-    has_pinyin,
-    plan_lines,
-    plan_of,
-    says_pinyin,
-)
+from phonemeengine.speech.pinyin import timing
 from phonemeengine.speech.pinyin.track import PinyinTrack
 from phonemeengine.speech.silent import SilentText
 from phonemeengine.speech.spoken_text import spoken_text, written_as_spoken
@@ -102,7 +93,7 @@ class SpeechFiles:
 
     def write_said(self, utterance: Utterance, speech: Transcript) -> None:
         """Write what is said in a recording, and `speech`, how loud and high."""
-        plan = plan_of(utterance, self.driving.pinyin, seed=self.driving.asked.seed)
+        plan = timing.plan_of(utterance, self.driving.pinyin, seed=self.driving.asked.seed)
         with self._opened() as files:
             self._write_plan(files, plan.rows)
             text = " ".join(word.text for word in utterance.words)
@@ -123,7 +114,9 @@ class SpeechFiles:
             said = text.whole()
             speech = said.transcript(name)
             self._write_plan(files, said.plan.rows)
-            letters = PinyinTrack(said.utterance, said.plan, text.table) if has_pinyin(said.utterance) else None
+            letters = (
+                PinyinTrack(said.utterance, said.plan, text.table) if timing.has_pinyin(said.utterance) else None
+            )
             self._export(files, speech, self._track_of(said.utterance, speech, letters=letters), text.text)
             return said.utterance.skipped
 
@@ -140,7 +133,7 @@ class SpeechFiles:
             (self.sound, nothing_is_own),
             (self.labels, textgrid.owns),
             (self.export, form),
-            (self.plan, begins_like(",".join(PLAN_COLUMNS).encode() + b"\n")),
+            (self.plan, begins_like(",".join(timing.PLAN_COLUMNS).encode() + b"\n")),
         )
         return [
             (target, Guard(owns, self.overwrite)) for target, owns in asked if target not in {None, STANDARD_OUTPUT}
@@ -161,13 +154,13 @@ class SpeechFiles:
         self, sentences: Iterable[SpokenSentence], files: dict[Path | None, BinaryIO]
     ) -> Iterator[SpokenSentence]:
         """Return sentences as they come, and write their plan and labels."""
-        planner, n, letters = SentencePlanner(self.driving.pinyin, self.driving.asked.seed), 0, False
+        planner, n, letters = timing.SentencePlanner(self.driving.pinyin, self.driving.asked.seed), 0, False
         self._write_plan(files, ())
         with UtteranceSpool(SILENCE) as labels:
             for sentence in sentences:
                 words = [shifted(word, n / SAMPLE_RATE) for word in sentence.words]
                 n += len(sentence.samples)
-                letters = letters or any(map(says_pinyin, words))
+                letters = letters or any(map(timing.says_pinyin, words))
                 if self.labels is not None:
                     for word in words:
                         labels.add(word)
@@ -179,14 +172,16 @@ class SpeechFiles:
             if self.labels is not None:
                 files[self.labels].writelines(line.encode() for line in labels.lines(n / SAMPLE_RATE))
 
-    def _rows_of(self, parts: Iterable[SaidPart | str], skipped: dict[str, None], name: str) -> Iterator[PlanRow]:
+    def _rows_of(
+        self, parts: Iterable[timing.SaidPart | str], skipped: dict[str, None], name: str
+    ) -> Iterator[timing.PlanRow]:
         """Return the rows of a plan; what is not spoken goes to `skipped`, each once."""
         letters = False
         for part in parts:
             if isinstance(part, str):
                 skipped[part] = None
             else:
-                letters = letters or (part.word is not None and says_pinyin(part.word))
+                letters = letters or (part.word is not None and timing.says_pinyin(part.word))
                 yield from part.rows
         self.driving.check_letters(self.driving.asked.driver, name, letters=letters)
 
@@ -221,10 +216,10 @@ class SpeechFiles:
             files[self.export].writelines(exporter.chunks_of(speech, movement))
 
     def _write_plan(
-        self, files: dict[Path | None, BinaryIO], rows: Iterable[PlanRow], *, header: bool = True
+        self, files: dict[Path | None, BinaryIO], rows: Iterable[timing.PlanRow], *, header: bool = True
     ) -> None:
         if self.plan is not None:
-            files[self.plan].writelines(line.encode() for line in plan_lines(rows, header=header))
+            files[self.plan].writelines(line.encode() for line in timing.plan_lines(rows, header=header))
 
 
 def _with_samples_in(blocks: list[Float32Array], sentences: Iterable[SpokenSentence]) -> Iterator[SpokenSentence]:

@@ -14,18 +14,10 @@ from functools import lru_cache
 import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array, ShortRepr
+from phonemeengine.dsp import spectrum
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.mel import mel_edges, mel_spectra_of, spread_mel
 from phonemeengine.dsp.sonagram import FLOOR, SonagramSettings
-from phonemeengine.dsp.spectrum import (
-    FrequencyShaper,
-    SpectrumAnalyser,
-    TimeSmoother,
-    denoise,
-    high_pass_gains,
-    low_pass_gains,
-    normalise,
-)
 from phonemeengine.features.variables import (
     BAND_VARIABLES,
     ENERGY_VARIABLES,
@@ -97,11 +89,11 @@ class FrontEnd:
     def __init__(self, settings: AnalysisSettings, variables: tuple[Variable, ...], *, pitch: bool) -> None:
         variables = (*BAND_VARIABLES, *variables)
         self.names = (*WHOLE_FRAME_VARIABLES, *(v.name for v in variables))
-        self._smoother = TimeSmoother(settings.time_smooth if settings.has(Filter.TIME_SMOOTH) else 0.0)
+        self._smoother = spectrum.TimeSmoother(settings.time_smooth if settings.has(Filter.TIME_SMOOTH) else 0.0)
         measured = [m for m in FRAME_MEASURES if pitch or m is not PITCH]
         self._frame_measures = [(self.names.index(m.name), m.measure) for m in measured]
         self._n_bins = settings.n_bins
-        self._transform = SpectrumAnalyser(settings)
+        self._transform = spectrum.SpectrumAnalyser(settings)
         self._shaper = shaper_of(settings, self._transform.scale[0])
         self._denoises = settings.has(Filter.DENOISE) and settings.denoise_threshold > 0
         self._threshold = np.array(settings.denoise_threshold, np.float32)
@@ -160,11 +152,11 @@ class FrontEnd:
         # The mel bank gets what is denoised and not yet normalised; it is normalised by its own peak, since a band is
         # a mean of bins and never as high as the highest of them.
         if self._denoises:
-            spectra = denoise(spectra, self._threshold)
+            spectra = spectrum.denoise(spectra, self._threshold)
         mel = self._mel_of(spectra) if self._mel_bands else None
         if self._normalises:
             # the peak before denoising is the peak after it, or all of the frame was below the threshold
-            spectra = normalise(spectra, peaks=values[:, MAX_ENERGY])
+            spectra = spectrum.normalise(spectra, peaks=values[:, MAX_ENERGY])
         values += spectra.dot(self._normalised)
         if self._mel_meter is not None and mel is not None:
             values += self._mel_meter.append_maxima(mel).dot(self._mel_meter.weights(Spectrum.MEL))
@@ -176,7 +168,7 @@ class FrontEnd:
 
     def _mel_of(self, spectra: Float32Array) -> Float32Array:
         mel = mel_spectra_of(spectra[:, : self._n_bins], self._mel_bands, BIN_WIDTH)
-        return normalise(mel) if self._normalises else mel
+        return spectrum.normalise(mel) if self._normalises else mel
 
 
 class LevelFrontEnd:
@@ -197,18 +189,18 @@ class LevelFrontEnd:
         return FrameBlock(frames, unseen, None, unseen, Features(self.names, peak_levels_of(frames)[:, np.newaxis]))
 
 
-def shaper_of(settings: AnalysisSettings, scale: Float32Array) -> FrequencyShaper:
+def shaper_of(settings: AnalysisSettings, scale: Float32Array) -> spectrum.FrequencyShaper:
     """Return what brings magnitudes to scale, shape (n_bins,), blurs them and applies the pass filters."""
     blur = settings.frequency_smooth if settings.has(Filter.FREQUENCY_SMOOTH) else 0.0
-    return FrequencyShaper(blur, _gains_of(settings), scale)
+    return spectrum.FrequencyShaper(blur, _gains_of(settings), scale)
 
 
 def _gains_of(settings: AnalysisSettings) -> Float32Array:
     gains = np.ones(settings.n_bins, np.float32)
     if settings.has(Filter.HIGH_PASS):
-        gains *= high_pass_gains(len(gains), BIN_WIDTH, settings.high_pass_start, settings.high_pass_end)
+        gains *= spectrum.high_pass_gains(len(gains), BIN_WIDTH, settings.high_pass_start, settings.high_pass_end)
     if settings.has(Filter.LOW_PASS):
-        gains *= low_pass_gains(len(gains), BIN_WIDTH, settings.low_pass_start, settings.low_pass_end)
+        gains *= spectrum.low_pass_gains(len(gains), BIN_WIDTH, settings.low_pass_start, settings.low_pass_end)
     return gains
 
 

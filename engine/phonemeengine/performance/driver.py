@@ -16,6 +16,7 @@ from phonemeengine.mouth.blendshape_names import ARKIT, SHOULDERS, TONGUE
 from phonemeengine.mouth.poses import Pose, PoseTable
 from phonemeengine.mouth.style import Style, neutral_style
 from phonemeengine.mouth.style_numbers import PoseNumbers
+from phonemeengine.performance import smoothing
 from phonemeengine.performance.choice import (
     Chosen,
     ExampleChoice,
@@ -29,15 +30,6 @@ from phonemeengine.performance.choice import (
 from phonemeengine.performance.halves import Recordings, bounds_of
 from phonemeengine.performance.keywords import Keywords
 from phonemeengine.performance.recording import SILENCE, PerformedPhone
-from phonemeengine.performance.smoothing import (
-    ENERGY_CHANNELS,
-    bounded,
-    brought_to_rest,
-    fitted,
-    gains_of,
-    smoothed,
-    without_outliers,
-)
 from phonemeengine.performance.table_file import PerformanceTable
 from phonemeengine.performance.units import Sentence, UnitKind
 from phonemeengine.text.syllables import is_vowel
@@ -188,7 +180,7 @@ class PerformanceDriver:
         self._moved = moved = tuple(names[k] for k in columns)
         self._places = np.array([ARKIT.index(name) for name in moved])
         self._loose = style.loose_gains(moved)
-        self._loud = [k for k, name in enumerate(moved) if name in ENERGY_CHANNELS]
+        self._loud = [k for k, name in enumerate(moved) if name in smoothing.ENERGY_CHANNELS]
 
     def notes(self, sentence: Sentence) -> tuple[str, ...]:
         """Return what the table lacks for a sentence, a sentence each."""
@@ -212,7 +204,7 @@ class PerformanceDriver:
         ------
         PerformanceError : the table is damaged.
         """
-        moved = self._finished(fitted(*self._looked_up(sentence, number), times), sentence, times, frame)
+        moved = self._finished(smoothing.fitted(*self._looked_up(sentence, number), times), sentence, times, frame)
         weights = np.zeros((len(times), len(FACE)), np.float32)
         weights[:, self._places] = moved
         if PerformancePart.POSES not in self.options.without:
@@ -236,18 +228,18 @@ class PerformanceDriver:
         """Filter before posing, since a filter would open closed lips; the loudness spares these."""
         without = self.options.without
         if PerformancePart.FILTERS not in without:
-            weights = smoothed(without_outliers(weights), sentence, times, self._filters)
-        weights = bounded(weights * self._loose)
+            weights = smoothing.smoothed(smoothing.without_outliers(weights), sentence, times, self._filters)
+        weights = smoothing.bounded(weights * self._loose)
         shares = pose_shares(sentence, self._poses, times, frame)
         if PerformancePart.POSES not in without:
             weights = posed_weights(weights, shares, self._poses, self._moved)
             weights = self._behind_teeth(weights, sentence, times)
         if PerformancePart.ENERGY not in without:
-            louder = 1 + (gains_of(sentence, times, self._filters.gain) - 1) * (1 - shares.firm)
+            louder = 1 + (smoothing.gains_of(sentence, times, self._filters.gain) - 1) * (1 - shares.firm)
             weights[:, self._loud] *= louder[:, None]
         if PerformancePart.WINDOW not in without:
-            weights = brought_to_rest(weights, sentence, times)
-        return bounded(weights)
+            weights = smoothing.brought_to_rest(weights, sentence, times)
+        return smoothing.bounded(weights)
 
     def _behind_teeth(self, weights: Float32Array, sentence: Sentence, times: Float64Array) -> Float32Array:
         """Have the tongue be back in the mouth in the middle of each vowel, however short that is."""

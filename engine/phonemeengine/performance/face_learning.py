@@ -18,19 +18,9 @@ from phonemeengine.execution import Progress, no_progress, report_progress
 from phonemeengine.labels.phone_sets import ARTICULATIONS, letters_of
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
+from phonemeengine.performance import face_network
 from phonemeengine.performance.corpus import CorpusReading, find_recordings
 from phonemeengine.performance.driver import MOUTH
-from phonemeengine.performance.face_network import (
-    CLOSURES,
-    LIVE,
-    WHOLE,
-    FaceFollower,
-    FaceLayer,
-    FaceNetwork,
-    StateReader,
-    knows_closures,
-    windows_of,
-)
 from phonemeengine.performance.face_track import shape_name
 from phonemeengine.performance.recording import Basis, Performance, PerformedPhone
 from phonemeengine.performance.table_file import PerformanceTable, TableAbout, write_table
@@ -59,7 +49,7 @@ class LearnedFace:
     left_out, notes : as of `BuiltTable`.
     """
 
-    network: FaceNetwork
+    network: face_network.FaceNetwork
     error: float
     still: float
     left_out: tuple[str, ...]
@@ -85,7 +75,7 @@ class _Moments:
         """The face's mean weights, shape (n_channels,)."""
         return self._sums[1] / self.n
 
-    def solved(self) -> FaceLayer:
+    def solved(self) -> face_network.FaceLayer:
         """Return the layer with the least squared error, and a penalty on large weights of standardised states."""
         x, y, xx, xy = self._sums
         scatter = xx - np.outer(x, x) / self.n
@@ -93,7 +83,7 @@ class _Moments:
         scatter[np.diag_indices(len(x))] += PENALTY * spread + 1e-9
         weights = np.linalg.solve(scatter, xy - np.outer(x, y) / self.n)
         bias = (y - x @ weights) / self.n
-        return FaceLayer(weights.astype(np.float16).astype(np.float32), bias.astype(np.float32))
+        return face_network.FaceLayer(weights.astype(np.float16).astype(np.float32), bias.astype(np.float32))
 
 
 class _FaceExample(NamedTuple):
@@ -123,11 +113,11 @@ def learn_face(
     ModelError : the trunk knows no such visemes.
     Cancelled : it was not wanted any more.
     """
-    if not knows_closures(trunk):
+    if not face_network.knows_closures(trunk):
         raise ModelError("a face is learned on a real-time model with the usual visemes; choose the preset learned")
     corpus = find_recordings(Path(folder))
     reading = CorpusReading(corpus, lambda share: progress(0.9 * share))
-    parts, whole = ({ahead: _Moments() for ahead in (LIVE, WHOLE)} for _ in range(2))
+    parts, whole = ({ahead: _Moments() for ahead in (face_network.LIVE, face_network.WHOLE)} for _ in range(2))
     held_out: list[_FaceExample] = []
     poses = _PoseMeans()
     channels: tuple[str, ...] = ()
@@ -142,15 +132,15 @@ def learn_face(
                 sums.add(states[ahead : ahead + n], recorded.face)
         if not number % LEFT_OUT:
             held_out.append(recorded)
-    duration = whole[WHOLE].n * FRAME_PERIOD
+    duration = whole[face_network.WHOLE].n * FRAME_PERIOD
     if duration < LEAST_SECONDS or not held_out:
         raise PerformanceError(
             f"a face is learned from {LEAST_SECONDS:g} s of performances and {LEFT_OUT} recordings at least, found "
             f"{duration:.0f} s; record more"
         )
     about: dict[str, Any] = {"name": name or corpus.name, "synthetic": corpus.synthetic, "seconds": round(duration)}
-    small = FaceNetwork(_bare(trunk), channels, _solved(parts), poses.means(), about)
-    error, still = _errors(small, held_out, parts[WHOLE].mean)
+    small = face_network.FaceNetwork(_bare(trunk), channels, _solved(parts), poses.means(), about)
+    error, still = _errors(small, held_out, parts[face_network.WHOLE].mean)
     about |= {"error": round(error, 4), "still": round(still, 4), "left_out": len(held_out)}
     report_progress(progress, 1.0)
     notes = (*corpus.notes, *reading.notes)
@@ -162,7 +152,7 @@ def _bare(trunk: Model) -> Model:
     return replace(trunk, anchors=trunk.anchors[:0], about={}, live_head=None)
 
 
-def _solved(moments: dict[int, _Moments]) -> dict[int, FaceLayer]:
+def _solved(moments: dict[int, _Moments]) -> dict[int, face_network.FaceLayer]:
     return {ahead: sums.solved() for ahead, sums in moments.items()}
 
 
@@ -174,7 +164,7 @@ def _moved(performance: Performance) -> tuple[str, ...]:
 
 
 def _recorded(performance: Performance, samples: Float32Array, channels: tuple[str, ...]) -> _FaceExample:
-    n = sum(len(windows) for windows in windows_of([samples], 0))
+    n = sum(len(windows) for windows in face_network.windows_of([samples], 0))
     middles = (np.arange(n) + 0.5) * FRAME_PERIOD * performance.rate
     frames = np.arange(len(performance.weights))
     columns = (performance.weights[:, performance.channels.index(name)] for name in channels)
@@ -184,21 +174,23 @@ def _recorded(performance: Performance, samples: Float32Array, channels: tuple[s
 
 def _states_of(trunk: Model, recorded: _FaceExample) -> Float32Array:
     """Return what answers are made of that wait for nothing; those that wait for n frames are made of later rows."""
-    reader = StateReader(trunk, LIVE)
-    return np.concatenate([reader.follow(windows)[0] for windows in windows_of([recorded.samples], WHOLE)])
+    reader = face_network.StateReader(trunk, face_network.LIVE)
+    return np.concatenate(
+        [reader.follow(windows)[0] for windows in face_network.windows_of([recorded.samples], face_network.WHOLE)]
+    )
 
 
 class _PoseMeans:
     """The mean face in the middle of closures."""
 
     def __init__(self) -> None:
-        self._found: list[list[Float32Array]] = [[] for _ in CLOSURES]
+        self._found: list[list[Float32Array]] = [[] for _ in face_network.CLOSURES]
 
     def add(self, recorded: _FaceExample) -> None:
         """Take the closures of a recording."""
         for phone in recorded.phones:
             letters = letters_of(phone.name)
-            for found, kind in zip(self._found, CLOSURES.values(), strict=True):
+            for found, kind in zip(self._found, face_network.CLOSURES.values(), strict=True):
                 if letters and letters[0] in ARTICULATIONS[kind]:
                     frame = int((phone.start + phone.end) / 2 / FRAME_PERIOD)
                     found.append(recorded.face[min(frame, len(recorded.face) - 1)])
@@ -212,13 +204,17 @@ class _PoseMeans:
         )
 
 
-def _errors(network: FaceNetwork, recordings: Iterable[_FaceExample], mean: Float64Array) -> tuple[float, float]:
+def _errors(
+    network: face_network.FaceNetwork, recordings: Iterable[_FaceExample], mean: Float64Array
+) -> tuple[float, float]:
     """Return how far a network is off, and a face at a mean; root mean squares."""
     squares = np.zeros(2)
     n = 0
     for recorded in recordings:
-        follower = FaceFollower(network, WHOLE)
-        moved = np.concatenate([follower.follow(w) for w in windows_of([recorded.samples], WHOLE)])
+        follower = face_network.FaceFollower(network, face_network.WHOLE)
+        moved = np.concatenate(
+            [follower.follow(w) for w in face_network.windows_of([recorded.samples], face_network.WHOLE)]
+        )
         squares += np.sum((moved - recorded.face) ** 2), np.sum((mean - recorded.face) ** 2)
         n += recorded.face.size
     error, still = np.sqrt(squares / n).tolist()

@@ -12,17 +12,8 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import CorpusError, ExportError, MeshError
+from phonemeengine.mouth.files import gltf_document
 from phonemeengine.mouth.files.gltf import target_names
-from phonemeengine.mouth.files.gltf_document import (
-    Beside,
-    Document,
-    Table,
-    array_of,
-    table_of,
-    tables_of,
-    text_of,
-    whole_of,
-)
 from phonemeengine.mouth.files.io import LARGEST, files_beside
 from phonemeengine.mouth.files.skin import TURNS, face_bones
 from phonemeengine.mouth.files.vrm import faces_back
@@ -49,7 +40,7 @@ def read_gltf_face(path: Path) -> FaceTrack:
     )
 
 
-def parse_gltf_face(content: bytes, file: str, beside: Beside = lambda _name: None) -> FaceTrack:
+def parse_gltf_face(content: bytes, file: str, beside: gltf_document.Beside = lambda _name: None) -> FaceTrack:
     """Read the weights of an animation in the content of a .glb or .gltf file.
 
     Parameters
@@ -62,7 +53,7 @@ def parse_gltf_face(content: bytes, file: str, beside: Beside = lambda _name: No
     CorpusError : it is no glTF, or moves no blend shape of ARKit.
     """
     try:
-        document = Document(content, beside)
+        document = gltf_document.Document(content, beside)
         found = next(filter(None, (_weights_in(document, x) for x in document.list_of("animations")[::-1])), None)
     except (MeshError, ExportError) as error:
         raise CorpusError(f"{file}: {error}") from error
@@ -74,16 +65,16 @@ def parse_gltf_face(content: bytes, file: str, beside: Beside = lambda _name: No
     return _joined(found, file)
 
 
-def _weights_in(document: Document, animation: Table) -> Weights:
+def _weights_in(document: gltf_document.Document, animation: gltf_document.Table) -> Weights:
     """Return what an animation moves; of a name in several meshes, the first one counts."""
-    samplers = tables_of(animation, "samplers")
+    samplers = gltf_document.tables_of(animation, "samplers")
     found: Weights = {}
     turned: dict[int, tuple[Float64Array, Float32Array]] = {}
-    for channel in tables_of(animation, "channels"):
-        target = table_of(channel, "target")
+    for channel in gltf_document.tables_of(animation, "channels"):
+        target = gltf_document.table_of(channel, "target")
         if target.get("path") not in {"weights", "rotation"} or "node" not in target:
             continue
-        place, node = whole_of(channel, "sampler"), whole_of(target, "node")
+        place, node = gltf_document.whole_of(channel, "sampler"), gltf_document.whole_of(target, "node")
         if place >= len(samplers):
             raise MeshError(f"an animation names sampler {place}, and there are {len(samplers)}; export it again")
         if target["path"] == "rotation":
@@ -96,24 +87,28 @@ def _weights_in(document: Document, animation: Table) -> Weights:
     )
 
 
-def _moved(document: Document, node: int, sampler: Table) -> Iterator[tuple[str, Float64Array, Float32Array]]:
-    names = target_names(document.entry("meshes", whole_of(document.entry("nodes", node), "mesh")))
+def _moved(
+    document: gltf_document.Document, node: int, sampler: gltf_document.Table
+) -> Iterator[tuple[str, Float64Array, Float32Array]]:
+    names = target_names(document.entry("meshes", gltf_document.whole_of(document.entry("nodes", node), "mesh")))
     times, weights = _keys_of(document, sampler, len(names), f"{len(names)} morph targets")
     return ((shape, times, weights[:, list(some)].mean(axis=1)) for shape, some in shapes_in(names).items())
 
 
-def _keys_of(document: Document, sampler: Table, width: int, what: str) -> tuple[Float64Array, Float32Array]:
+def _keys_of(
+    document: gltf_document.Document, sampler: gltf_document.Table, width: int, what: str
+) -> tuple[Float64Array, Float32Array]:
     """Return times, and what moves then, shape (n_times, width)."""
-    times = array_of(document, whole_of(sampler, "input"))[:, 0].astype(np.float64)
-    values = array_of(document, whole_of(sampler, "output")).astype(np.float32)
-    n_each = 3 if text_of(sampler, "interpolation", "LINEAR") == CUBIC else 1
+    times = gltf_document.array_of(document, gltf_document.whole_of(sampler, "input"))[:, 0].astype(np.float64)
+    values = gltf_document.array_of(document, gltf_document.whole_of(sampler, "output")).astype(np.float32)
+    n_each = 3 if gltf_document.text_of(sampler, "interpolation", "LINEAR") == CUBIC else 1
     if not times.size or not width or values.size != len(times) * n_each * width or values.shape[1] not in {1, width}:
         raise MeshError(f"an animation has {len(values)} values for {what} at {len(times)} times; export it again")
     return times, values.reshape(len(times), n_each, width)[:, IN_BETWEEN if n_each > 1 else 0]
 
 
 def _turns_of(
-    document: Document, turned: Mapping[int, tuple[Float64Array, Float32Array]]
+    document: gltf_document.Document, turned: Mapping[int, tuple[Float64Array, Float32Array]]
 ) -> Iterator[tuple[str, tuple[Float64Array, Float32Array]]]:
     """Return the turns of the head in degrees, and of its bones as the blend shapes of ARKit that turn them."""
     from phonemeengine.mouth.exports.gltf_rotation import head_nodes, poses_of, turns_in  # noqa: PLC0415 - scipy is slow

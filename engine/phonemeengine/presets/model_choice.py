@@ -13,14 +13,8 @@ from phonemeengine.encoder.onnx import has_runtime
 from phonemeengine.errors import ModelError
 from phonemeengine.labels.visemes import STANDARD_VISEMES
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition import learned
 from phonemeengine.recognition.decoder import lag_of
-from phonemeengine.recognition.learned import (
-    EncodedRecogniser,
-    LearnedRecogniser,
-    RealTimeRecogniser,
-    real_time_look_ahead,
-    states_ahead,
-)
 from phonemeengine.recognition.model import LookAheadFigures, figures_by_look_ahead
 from phonemeengine.recognition.scores import Sensitivity
 from phonemeengine.recognition.searched import searched
@@ -150,14 +144,16 @@ def _bare_recogniser_for(preset: Preset, states: Float32Array | None) -> Recogni
         assert preset.live_encoder is not None
         assert model is not None
         look_ahead, sensitivity = preset.settings.look_ahead, Sensitivity(preset.sensitivities)
-        return RealTimeRecogniser(open_live_encoder(preset.live_encoder), model, look_ahead, sensitivity, states)
+        return learned.RealTimeRecogniser(
+            open_live_encoder(preset.live_encoder), model, look_ahead, sensitivity, states
+        )
     if preset.model_kind is not ModelKind.WHISPER:
         return recogniser_of(preset.recogniser, preset.config)
     assert head is not None
     assert model is not None
     encoder = open_whisper(head.layer)
-    return EncodedRecogniser(
-        LearnedRecogniser(model, preset.settings.look_ahead),
+    return learned.EncodedRecogniser(
+        learned.LearnedRecogniser(model, preset.settings.look_ahead),
         lambda samples: head.probabilities(encoder.encode(samples)),
         head.priors,
         Sensitivity(preset.sensitivities),
@@ -177,7 +173,7 @@ def states_in(preset: Preset, logarithms: Float32Array) -> Float32Array:
     float32, shape (n_frames / 2, rounded up, n_channels).
     """
     assert preset.live_encoder is not None
-    ahead = states_ahead(preset.settings.look_ahead)
+    ahead = learned.states_ahead(preset.settings.look_ahead)
     return open_live_encoder(preset.live_encoder).states_of(logarithms, ahead)
 
 
@@ -185,7 +181,7 @@ def frames_ahead(preset: Preset) -> int:
     """Return how many frames of 10 ms what recognises with a preset looks ahead; 0 for rules without a decoder."""
     look_ahead, model = preset.settings.look_ahead, preset.config.model
     if preset.model_kind is ModelKind.ENCODER:
-        return real_time_look_ahead(look_ahead)
+        return learned.real_time_look_ahead(look_ahead)
     if preset.decoder is not None:
         return lag_of(look_ahead)
     return model.frames_ahead(look_ahead) if model is not None and has_network(preset) else 0

@@ -10,17 +10,9 @@ from phonemeengine.errors import TextError, VoiceError
 from phonemeengine.labels.utterance import Utterance, Word
 from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
 from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.speech.pinyin import timing
 from phonemeengine.speech.pinyin.script import Read, Written, chinese_parts, clause_parts
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
-from phonemeengine.speech.pinyin.timing import (
-    AFTERWARDS,
-    USUAL_RATE,
-    Plan,
-    PlanRow,
-    SaidPart,
-    pause_unit,
-    said_at_rate,
-)
 from phonemeengine.text import mandarin
 from phonemeengine.text.cleaning import speakable, spoken_part
 from phonemeengine.text.espeak import language_of
@@ -54,17 +46,17 @@ class SilentText:
     text: str
     language: str
     table: PinyinTable = field(default_factory=load_pinyin_table)
-    rate: float = USUAL_RATE
+    rate: float = timing.USUAL_RATE
     seed: int | None = None
     lexicon: Lexicon | None = None
     literal: bool = False
 
     def __post_init__(self) -> None:
-        pause_unit(self.table, self.rate)
+        timing.pause_unit(self.table, self.rate)
         if not self._is_chinese:
             check_script(self._cleaned, language_of(self.language))
 
-    def parts(self) -> Iterator[SaidPart | str]:
+    def parts(self) -> Iterator[timing.SaidPart | str]:
         """Return its words and pauses one by one, with their times; as text, what is not spoken.
 
         Raises
@@ -73,7 +65,7 @@ class SilentText:
         """
         skipped: list[str] = []
         n_words = 0
-        for part in said_at_rate(self._spoken(skipped), self.table, self.rate, self.seed):
+        for part in timing.said_at_rate(self._spoken(skipped), self.table, self.rate, self.seed):
             yield from skipped
             skipped.clear()
             n_words += part.word is not None
@@ -83,13 +75,13 @@ class SilentText:
             what = "Chinese syllable" if self._is_chinese else "word"
             raise TextError(f"there is no {what} in the text; write some, or name its language")
 
-    def rows(self) -> Iterator[PlanRow]:
+    def rows(self) -> Iterator[timing.PlanRow]:
         """Return the rows of its plan, one by one."""
-        return (row for part in self.parts() if isinstance(part, SaidPart) for row in part.rows)
+        return (row for part in self.parts() if isinstance(part, timing.SaidPart) for row in part.rows)
 
     def whole(self) -> "SilentSpeech":
         """Return what is said in it, whole."""
-        rows: list[PlanRow] = []
+        rows: list[timing.PlanRow] = []
         words: list[Word] = []
         skipped: list[str] = []
         for part in self.parts():
@@ -98,7 +90,7 @@ class SilentText:
                 continue
             rows += part.rows
             words += () if part.word is None else (part.word,)
-        plan = Plan(tuple(rows), pause_unit(self.table, self.rate))
+        plan = timing.Plan(tuple(rows), timing.pause_unit(self.table, self.rate))
         return SilentSpeech(Utterance(tuple(words), plan.duration, self.language, tuple(skipped)), plan)
 
     @property
@@ -143,7 +135,7 @@ class SilentSpeech:
     """What is said in a text without a voice, and its plan."""
 
     utterance: Utterance
-    plan: Plan
+    plan: timing.Plan
 
     def transcript(self, name: str) -> Transcript:
         """Return what is said, as if a voice of even loudness said it, until the mouth is at rest.
@@ -152,7 +144,7 @@ class SilentSpeech:
         ----------
         name : what files that are made of it call the sound.
         """
-        said = replace(self.utterance, duration=self.plan.duration + AFTERWARDS)
+        said = replace(self.utterance, duration=self.plan.duration + timing.AFTERWARDS)
         loud = np.zeros(round(said.duration / FRAME_PERIOD), np.float32)
         for phone in said.phones:
             loud[round(phone.start / FRAME_PERIOD) : round(phone.end / FRAME_PERIOD)] = 1

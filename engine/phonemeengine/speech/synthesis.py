@@ -11,17 +11,7 @@ from phonemeengine.arrays import Int16Array
 from phonemeengine.labels.phone_sets import ipa_phoneme
 from phonemeengine.labels.pinyin import onset_and_rime, timed_syllable
 from phonemeengine.labels.utterance import Phone, Syllable, Word
-from phonemeengine.text import mandarin
-from phonemeengine.text.espeak import (
-    NORMAL_RATE,
-    VOICE_RATE,
-    Event,
-    EventKind,
-    Language,
-    stress_of,
-    symbols_of,
-    synthesise,
-)
+from phonemeengine.text import espeak, mandarin
 from phonemeengine.text.pronunciation import separator_of
 from phonemeengine.text.respelling import PHONEMES
 from phonemeengine.text.syllables import is_vowel, syllables_of
@@ -33,7 +23,7 @@ LONGEST = 0.06
 """Seconds of a closure at most."""
 QUIET = 0.25
 """Share of the loudest moment of the phone before, below which it is closed."""
-_STEP = VOICE_RATE // 500
+_STEP = espeak.VOICE_RATE // 500
 """Samples that are looked at together (2 ms)."""
 
 
@@ -47,7 +37,7 @@ def closure_before(samples: Int16Array, phone: int, burst: int, symbol: str) -> 
     burst : where the stop is reported.
     symbol : of IPA; what is no stop has no closure.
     """
-    n_most = min((burst - phone) // 2, round(LONGEST * VOICE_RATE)) // _STEP
+    n_most = min((burst - phone) // 2, round(LONGEST * espeak.VOICE_RATE)) // _STEP
     if symbol not in STOPS or n_most < 1:
         return 0
     before = np.abs(samples[phone:burst].astype(np.int32))
@@ -102,7 +92,7 @@ class _Timed:
     stress: int = 0
 
 
-def speak_tokens(tokens: Sequence[Token], language: Language, voice: str, words_a_minute: int) -> SpokenTokens:
+def speak_tokens(tokens: Sequence[Token], language: espeak.Language, voice: str, words_a_minute: int) -> SpokenTokens:
     """Have the synthesizer speak words in one call.
 
     Parameters
@@ -118,23 +108,25 @@ def speak_tokens(tokens: Sequence[Token], language: Language, voice: str, words_
     """
     text, starts = _text_of(tokens, language)
     blocks = [np.zeros(0, np.int16)]
-    events: list[Event] = []
+    events: list[espeak.Event] = []
 
-    def take_sound(samples: Int16Array, begun: tuple[Event, ...]) -> bool:
+    def take_sound(samples: Int16Array, begun: tuple[espeak.Event, ...]) -> bool:
         blocks.append(samples)
         events.extend(begun)
         return True
 
-    synthesise(text, language, take_sound, voice=voice, rate=words_a_minute, phonemes=PHONEMES in text)
+    espeak.synthesise(text, language, take_sound, voice=voice, rate=words_a_minute, phonemes=PHONEMES in text)
     samples = np.concatenate(blocks)
-    longest_gap = round(LONGEST_GAP * NORMAL_RATE / min(words_a_minute, NORMAL_RATE) * VOICE_RATE)
-    phones = list(_without_gaps([event for event in events if event.kind is EventKind.PHONE], longest_gap))
+    longest_gap = round(
+        LONGEST_GAP * espeak.NORMAL_RATE / min(words_a_minute, espeak.NORMAL_RATE) * espeak.VOICE_RATE
+    )
+    phones = list(_without_gaps([event for event in events if event.kind is espeak.EventKind.PHONE], longest_gap))
     begin = 0 if phones and phones[0].sample <= longest_gap else len(samples)
     words = tuple(_words_of(tokens, _timed(phones, samples, starts, len(tokens), begin)))
     return SpokenTokens(samples, words, tuple(token.text for token in tokens if token.unheeded))
 
 
-def _text_of(tokens: Sequence[Token], language: Language) -> tuple[str, list[int]]:
+def _text_of(tokens: Sequence[Token], language: espeak.Language) -> tuple[str, list[int]]:
     """Return what the synthesizer is given, and where in it each token begins."""
     text, starts = "", []
     for token in tokens:
@@ -145,7 +137,7 @@ def _text_of(tokens: Sequence[Token], language: Language) -> tuple[str, list[int
 
 
 def _timed(
-    phones: Sequence[Event], samples: Int16Array, starts: Sequence[int], n_tokens: int, first: int
+    phones: Sequence[espeak.Event], samples: Int16Array, starts: Sequence[int], n_tokens: int, first: int
 ) -> list[list[_Timed]]:
     """Return the phones of each token, with times; those of stops begin with their closure, and one by `first`."""
     found: list[list[_Timed]] = [[] for _ in range(n_tokens)]
@@ -154,23 +146,23 @@ def _timed(
     begins[:1] = [min(begin, first) for begin in begins[:1]]
     for event, begin, burst, end in zip(phones, begins, bursts, [*begins[1:], len(samples)], strict=False):
         token = max(0, bisect_right(starts, event.position) - 1)
-        symbols = symbols_of(event.name)
+        symbols = espeak.symbols_of(event.name)
         if symbols and end > begin:
-            found[token] += _shared(symbols, begin, burst, end, stress_of(event.name))
+            found[token] += _shared(symbols, begin, burst, end, espeak.stress_of(event.name))
     return found
 
 
-def _without_gaps(phones: Sequence[Event], longest: int) -> Iterator[Event]:
+def _without_gaps(phones: Sequence[espeak.Event], longest: int) -> Iterator[espeak.Event]:
     """Return phones and pauses, without gaps of at most this many samples before phones, which are no pauses."""
-    runs = [(spoken, list(run)) for spoken, run in groupby(phones, lambda event: bool(symbols_of(event.name)))]
+    runs = [(spoken, list(run)) for spoken, run in groupby(phones, lambda event: bool(espeak.symbols_of(event.name)))]
     for k, (spoken, run) in enumerate(runs):
         if spoken or k == len(runs) - 1 or runs[k + 1][1][0].sample - run[0].sample > longest:
             yield from run
 
 
-def _begin(before: int, burst: int, event: Event, samples: Int16Array) -> int:
+def _begin(before: int, burst: int, event: espeak.Event, samples: Int16Array) -> int:
     """Return the sample at which a phone begins: that of its event, or for a stop, of its closure."""
-    symbols = symbols_of(event.name)
+    symbols = espeak.symbols_of(event.name)
     return burst - (closure_before(samples, before, burst, symbols[0]) if symbols else 0)
 
 
@@ -180,7 +172,7 @@ def _shared(symbols: Sequence[str], begin: int, burst: int, end: int, stress: in
     if symbols[0] in STOPS and len(symbols) == 2 and LEAST_CLOSURE * (end - begin) < burst - begin < end - begin:
         borders[1] = burst
     for symbol, first, last in zip(symbols, borders, borders[1:], strict=False):
-        yield _Timed(symbol, first / VOICE_RATE, last / VOICE_RATE, stress if is_vowel(symbol) else 0)
+        yield _Timed(symbol, first / espeak.VOICE_RATE, last / espeak.VOICE_RATE, stress if is_vowel(symbol) else 0)
 
 
 def _words_of(tokens: Sequence[Token], timed: Sequence[list[_Timed]]) -> Iterator[Word]:

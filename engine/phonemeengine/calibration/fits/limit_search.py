@@ -12,14 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array, IndexArray, Int64Array, UInt8Array
-from phonemeengine.calibration.scores.scoring import (
-    N_CODES,
-    SCORED_PHONEMES,
-    Agreement,
-    agreement_of,
-    confusion_of,
-    macro_f1_of,
-)
+from phonemeengine.calibration.scores import scoring
 from phonemeengine.calibration.workbench.batch_smoother import last_identified
 from phonemeengine.calibration.workbench.retuner import Retuner, RuleCache
 from phonemeengine.execution import Progress, no_progress, report_progress
@@ -99,12 +92,12 @@ class LimitSearch:
         open_ = self._known & (below != above)
         if not (open_.any() and len(candidates)):
             return limit[1]
-        settled = confusion_of(self._truth[self._known & ~open_], below[self._known & ~open_])
+        settled = scoring.confusion_of(self._truth[self._known & ~open_], below[self._known & ~open_])
         ranks = np.searchsorted(candidates, values[open_], side="right")
         truth = self._truth[open_]
         under = counts_by_rank(ranks, truth, below[open_], len(candidates) + 1).cumsum(axis=0)
         over = counts_by_rank(ranks, truth, above[open_], len(candidates) + 1).cumsum(axis=0)
-        scores = macro_f1_of(settled + under[:-1] + over[-1] - over[:-1], SCORED_PHONEMES)
+        scores = scoring.macro_f1_of(settled + under[:-1] + over[-1] - over[:-1], scoring.SCORED_PHONEMES)
         return float(str(candidates[int(scores.argmax())]))
 
     def _answers_as_if(self, limit: Limit, rules: tuple[Rule, ...], fillers: UInt8Array, sign: str) -> UInt8Array:
@@ -125,7 +118,11 @@ class LimitSearch:
         answers = self._recognised(rules)
         unidentified = answers == Phoneme.UNIDENTIFIED
         answers = np.where(unidentified, self._table[last_identified(answers, self._first)], answers)
-        return float(macro_f1_of(confusion_of(self._truth[self._known], answers[self._known]), SCORED_PHONEMES))
+        return float(
+            scoring.macro_f1_of(
+                scoring.confusion_of(self._truth[self._known], answers[self._known]), scoring.SCORED_PHONEMES
+            )
+        )
 
     def _recognised(self, rules: Sequence[Rule]) -> UInt8Array:
         return self._rule_cache.recognised(RuleRecogniser(rules, self._thresholds))
@@ -150,8 +147,10 @@ def _moved(rules: Sequence[Rule], limit: Limit, number: float) -> tuple[Rule, ..
 
 def counts_by_rank(ranks: IndexArray, truth: UInt8Array, answers: UInt8Array, n_ranks: int) -> Int64Array:
     """Count frames by rank, label and answer, shape (n_ranks, 11, 11)."""
-    cells = (ranks * N_CODES + truth) * N_CODES + answers
-    return np.bincount(cells, minlength=n_ranks * N_CODES**2).reshape(n_ranks, N_CODES, N_CODES)
+    cells = (ranks * scoring.N_CODES + truth) * scoring.N_CODES + answers
+    return np.bincount(cells, minlength=n_ranks * scoring.N_CODES**2).reshape(
+        n_ranks, scoring.N_CODES, scoring.N_CODES
+    )
 
 
 def candidate_limits(values: Float32Array) -> Float32Array:
@@ -186,9 +185,9 @@ class RuleTrials:
         truth = np.concatenate([truth for _, truth, _ in parts])
         return cls(Features(names, values), truth, np.append(edges, starts[-1]))
 
-    def agreement(self, preset: Preset) -> Agreement:
+    def agreement(self, preset: Preset) -> scoring.Agreement:
         """Return how a preset with rules agrees with the labels, after the statistics."""
-        return agreement_of(self.truth, self._retuner.recognise(preset)[1])
+        return scoring.agreement_of(self.truth, self._retuner.recognise(preset)[1])
 
     def proposed(self, preset: Preset, rule: int, variable: str) -> Condition:
         """Return the comparison of a variable by which a rule gains most, with all its others as they are.
@@ -210,14 +209,17 @@ class RuleTrials:
         if not len(candidates):
             middle = float(np.median(values)) if len(values) else 0.0
             return Condition(variable, ">", limit=float(f"{middle:.{SIGNIFICANT_DIGITS}g}"))
-        settled = confusion_of(self.truth[known & ~open_], holds[known & ~open_])
+        settled = scoring.confusion_of(self.truth[known & ~open_], holds[known & ~open_])
         ranks, truth = np.searchsorted(candidates, values[open_], side="right"), self.truth[open_]
         kept, lost = (
             counts_by_rank(ranks, truth, codes[open_], len(candidates) + 1).cumsum(axis=0) for codes in (holds, fails)
         )
         counts = [settled + below[:-1] + above[-1] - above[:-1] for below, above in ((kept, lost), (lost, kept))]
         own = (preset.rules[rule].phoneme,)
-        scores = [macro_f1_of(c, SCORED_PHONEMES) + np.nan_to_num(macro_f1_of(c, own)) for c in counts]
+        scores = [
+            scoring.macro_f1_of(c, scoring.SCORED_PHONEMES) + np.nan_to_num(scoring.macro_f1_of(c, own))
+            for c in counts
+        ]
         sign, best = divmod(int(np.argmax(scores)), len(candidates))
         return Condition(variable, "<>"[sign], limit=float(str(candidates[best])))
 

@@ -14,12 +14,7 @@ import numpy as np
 from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import Float32Array, IndexArray, UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, frame_labels_of
-from phonemeengine.calibration.workbench.distributions import (
-    Distribution,
-    best_threshold,
-    distribution_in,
-    separability,
-)
+from phonemeengine.calibration.workbench import distributions
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.dsp.mel import mel_edges
 from phonemeengine.dsp.spectrum import denoise, normalise
@@ -143,7 +138,7 @@ class Suggestion:
     variable: Variable
     separation: float
     threshold: float
-    distribution: Distribution
+    distribution: distributions.Distribution
 
 
 @dataclass(frozen=True)
@@ -216,8 +211,8 @@ def suggestions_from(
         name = _free_name(best, preset, [s.variable for s in suggestions], one, other)
         own, others = (best.measured(side) for side in sides[best.source])
         variable = Variable(name, *_hertz(best), best.kind, best.source)
-        threshold = float(f"{best_threshold(own, others):.4g}")
-        spread = distribution_in(name, best.measured(sample.spectra[best.source]), sample.phonemes)
+        threshold = float(f"{distributions.best_threshold(own, others):.4g}")
+        spread = distributions.distribution_in(name, best.measured(sample.spectra[best.source]), sample.phonemes)
         suggestions.append(Suggestion(variable, best.separation, threshold, spread))
     return tuple(suggestions)
 
@@ -267,7 +262,7 @@ def _tried(
         for kind, cells, run in ((Kind.SUM, sums, np.add), (Kind.MAX, maxima, np.maximum)):
             mine, theirs = (run.accumulate(side[k:], axis=0) for side in cells)
             found += [
-                _Range(separability(a, b), source, kind, first, end)
+                _Range(distributions.separability(a, b), source, kind, first, end)
                 for a, b, end in zip(mine, theirs, edges[k + 1 :], strict=True)
             ]
         yield (k + 1) / len(edges), found

@@ -21,15 +21,7 @@ from numpy.typing import NDArray
 from phonemeengine.arrays import Float32Array, IndexArray, UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, frame_labels_of
 from phonemeengine.calibration.scores.scoring import Confusion, confusion_between
-from phonemeengine.calibration.workbench.retuner import (
-    Measurement,
-    Retuner,
-    front_end_key,
-    measure,
-    names_of,
-    recogniser_key,
-    rules_in,
-)
+from phonemeengine.calibration.workbench import retuner
 from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Progress, no_progress, report_progress, subrange
 from phonemeengine.features.variables import DEFICITS, Features
@@ -70,9 +62,9 @@ class LabelledFeatures:
         progress: Progress = no_progress,
     ) -> None:
         self._utterances = tuple(utterances)
-        self._names = names_of(preset)
-        self._front_end = front_end_key(preset)
-        self._measured_with = None if rules_in(preset) is not None else recogniser_key(preset)
+        self._names = retuner.names_of(preset)
+        self._front_end = retuner.front_end_key(preset)
+        self._measured_with = None if retuner.rules_in(preset) is not None else retuner.recogniser_key(preset)
         labels = [frame_labels_of(u.labels) for u in self._utterances]
         lengths = [len(part.phonemes) for part in labels]
         self._edges = np.concatenate(([0], np.cumsum(lengths, dtype=np.intp))).astype(np.intp)
@@ -144,9 +136,9 @@ class LabelledFeatures:
         Thresholds, rules, sensitivities, successors, minimum duration and hysteresis need none. Another front end or
         other variables do, and a recogniser that works without rules, if the recordings were not measured with it.
         """
-        if front_end_key(preset) != self._front_end:
+        if retuner.front_end_key(preset) != self._front_end:
             return True
-        return rules_in(preset) is None and recogniser_key(preset) != self._measured_with
+        return retuner.rules_in(preset) is None and retuner.recogniser_key(preset) != self._measured_with
 
     def confusion(self, preset: Preset) -> Confusion:
         """Recognise all frames with a preset, and count the answers against the labels.
@@ -172,7 +164,9 @@ class LabelledFeatures:
             codes[self._beyond] = Phoneme.SILENCE
         return codes
 
-    def _measure(self, preset: Preset, known: "LabelledFeatures | None", progress: Progress) -> Iterator[Measurement]:
+    def _measure(
+        self, preset: Preset, known: "LabelledFeatures | None", progress: Progress
+    ) -> Iterator[retuner.Measurement]:
         """Measure what is not known yet."""
         report_progress(progress, 0.0)
         again = {} if known is None or known.needs_measuring(preset) else known.measured
@@ -180,10 +174,10 @@ class LabelledFeatures:
         for k, stamp in enumerate(self._stamps):
             first, end = self._edges[k : k + 2].tolist()
             share = subrange(progress, first / total, end / total)
-            yield again.get(stamp) or measure(self._utterances[k].path, preset, end - first, share)
+            yield again.get(stamp) or retuner.measure(self._utterances[k].path, preset, end - first, share)
         report_progress(progress, 1.0)
 
-    def _join(self, measurements: list[Measurement]) -> None:
+    def _join(self, measurements: list[retuner.Measurement]) -> None:
         """Put all recordings side by side, so that each variable is one array."""
         n = int(self._edges[-1])
         self._values = np.zeros((len(self._names), n), np.float32)
@@ -200,15 +194,17 @@ class LabelledFeatures:
         self._n_in_sound = [m.n_in_sound for m in measurements]
         self._retuner = self._new_retuner()
 
-    def _new_retuner(self) -> Retuner:
-        return Retuner(dict(zip(self._names, self._values, strict=True)), self._codes, self._scores, self._edges)
+    def _new_retuner(self) -> retuner.Retuner:
+        return retuner.Retuner(
+            dict(zip(self._names, self._values, strict=True)), self._codes, self._scores, self._edges
+        )
 
     @property
-    def measured(self) -> dict[_Stamp, Measurement]:
+    def measured(self) -> dict[_Stamp, retuner.Measurement]:
         """What was measured, by the file as it was then, for others."""
         spans = [slice(int(first), int(end)) for first, end in zip(self._edges[:-1], self._edges[1:], strict=True)]
         return {
-            stamp: Measurement(
+            stamp: retuner.Measurement(
                 self._values[:, span],
                 n_in_sound,
                 self._codes[span],

@@ -20,17 +20,7 @@ from phonemeengine.errors import ExportError, MeshError
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.blendshape_names import BONE
 from phonemeengine.mouth.exports.export import Export
-from phonemeengine.mouth.files.gltf_document import (
-    MAGIC,
-    Beside,
-    Document,
-    Table,
-    chunks_of,
-    document_of,
-    glb_of,
-    tables_of,
-    whole_of,
-)
+from phonemeengine.mouth.files import gltf_document
 from phonemeengine.mouth.files.gltf_writing import GENERATOR, format_glb
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, files_beside, load_morph_mesh
 from phonemeengine.mouth.files.skin import bone_angles
@@ -60,13 +50,13 @@ class Glb:
 
     def __init__(self, content: bytes, name: str) -> None:
         self._name = name
-        if not content.startswith(MAGIC):
+        if not content.startswith(gltf_document.MAGIC):
             raise ExportError(
                 f"{name}: this is no face that can be moved; name a .glb, .vrm or .gltf (glTF 2.0), .obj or .x"
             )
         try:
-            text, binary = chunks_of(content)
-            self.document: Table = document_of(text, LARGEST_JSON)
+            text, binary = gltf_document.chunks_of(content)
+            self.document: gltf_document.Table = gltf_document.document_of(text, LARGEST_JSON)
         except MeshError as error:
             raise ExportError(f"{name}: {error}") from error
         self._check_buffers(bool(binary))
@@ -91,7 +81,7 @@ class Glb:
     def content(self) -> bytes:
         """Return the whole file."""
         self.document["buffers"][0]["byteLength"] = self._length
-        return glb_of(self.document, self._parts)
+        return gltf_document.glb_of(self.document, self._parts)
 
     def _check_buffers(self, any_bytes: bool) -> None:
         buffers = self.list_of("buffers")
@@ -136,7 +126,7 @@ def read_face(path: Path) -> Glb:
     return Glb(content, name)
 
 
-def packed(content: bytes, beside: Beside) -> bytes:
+def packed(content: bytes, beside: gltf_document.Beside) -> bytes:
     """Return a .gltf as a .glb: its buffers and pictures in one block of bytes.
 
     Parameters
@@ -147,11 +137,11 @@ def packed(content: bytes, beside: Beside) -> bytes:
     ------
     MeshError : it is no glTF, or what it names is not there.
     """
-    document, root = Document(content, beside), document_of(content, LARGEST_JSON)
+    document, root = gltf_document.Document(content, beside), gltf_document.document_of(content, LARGEST_JSON)
     parts: list[bytes] = []
     begins = [_appended(parts, bytes(document.buffer(k))) for k in range(len(document.list_of("buffers")))]
     views = [_moved(view, begins) for view in document.list_of("bufferViews")]
-    for image in tables_of(root, "images"):
+    for image in gltf_document.tables_of(root, "images"):
         uri = unquote(str(image.get("uri", "")))
         if uri and not uri.startswith("data:") and (picture := beside(uri)) is not None:
             views.append({"buffer": 0, "byteOffset": _appended(parts, picture), "byteLength": len(picture)})
@@ -159,7 +149,7 @@ def packed(content: bytes, beside: Beside) -> bytes:
             del image["uri"]
     if parts:
         root |= {"buffers": [{"byteLength": sum(map(len, parts))}], "bufferViews": views}
-    return glb_of(root, parts)
+    return gltf_document.glb_of(root, parts)
 
 
 def _appended(parts: list[bytes], content: bytes) -> int:
@@ -170,12 +160,12 @@ def _appended(parts: list[bytes], content: bytes) -> int:
     return start
 
 
-def _moved(view: Table, begins: list[int]) -> Table:
+def _moved(view: gltf_document.Table, begins: list[int]) -> gltf_document.Table:
     """Return a view of a buffer as one of the buffer that holds all."""
-    buffer = whole_of(view, "buffer")
+    buffer = gltf_document.whole_of(view, "buffer")
     if buffer >= len(begins):
         raise MeshError(f"it names number {buffer} of its buffers, and there are {len(begins)}; export it again")
-    return view | {"buffer": 0, "byteOffset": begins[buffer] + whole_of(view, "byteOffset", 0)}
+    return view | {"buffer": 0, "byteOffset": begins[buffer] + gltf_document.whole_of(view, "byteOffset", 0)}
 
 
 def _glb_of_mesh(path: Path) -> bytes:
@@ -201,7 +191,7 @@ NAME, EXTRAS = "speech", {"generator": GENERATOR}
 def owns(content: bytes) -> bool:
     """Return whether the content of a file is a GLB to which a movement was added here, the last one in it."""
     try:
-        newest = document_of(chunks_of(content)[0], LARGEST_JSON)["animations"][-1]
+        newest = gltf_document.document_of(gltf_document.chunks_of(content)[0], LARGEST_JSON)["animations"][-1]
         return bool(newest["extras"] == EXTRAS)
     except (MeshError, TypeError, KeyError, IndexError):
         return False
@@ -219,7 +209,7 @@ def write(export: Export) -> bytes:
     known = {name for _, names in faces for name in names}
     face = (export.mesh or USUAL_HEAD.path).name
     try:
-        document = Document(glb.content(), lambda _name: None)
+        document = gltf_document.Document(glb.content(), lambda _name: None)
         animation = _of_targets(export.face_animation, document, faces)
         movestates = animation.movestates
         columns = dict(zip(movestates, animation.weights.T, strict=True))
@@ -241,7 +231,9 @@ def write(export: Export) -> bytes:
     return glb.content()
 
 
-def _of_targets(animation: Animation, document: Document, faces: Sequence[tuple[int, Sequence[str]]]) -> Animation:
+def _of_targets(
+    animation: Animation, document: gltf_document.Document, faces: Sequence[tuple[int, Sequence[str]]]
+) -> Animation:
     """Return an animation of morph targets: an expression of an avatar is those that it moves."""
     expressions = expressions_of(document)
     if not expressions:

@@ -9,19 +9,7 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array, Float64Array, Int64Array, UInt32Array
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.files.gltf_document import (
-    Beside,
-    Document,
-    Table,
-    array_of,
-    count_of,
-    numbers_of,
-    table_of,
-    tables_of,
-    text_of,
-    whole_of,
-    wholes_of,
-)
+from phonemeengine.mouth.files import gltf_document
 from phonemeengine.mouth.files.gltf_materials import materials_of, srgb_of
 from phonemeengine.mouth.files.skin import Skeleton
 from phonemeengine.mouth.files.vrm import expressions_of, faces_back, is_vrm
@@ -32,7 +20,7 @@ from phonemeengine.mouth.movestate import LEAST_MOVE, Movestate, movestate_at
 # The scene of a glTF: which meshes it has, where its nodes put them, and what their morph targets are called.
 
 
-def target_names(mesh: Table) -> list[str]:
+def target_names(mesh: gltf_document.Table) -> list[str]:
     """Return the names of morph targets, as most exporters write them."""
     extras = mesh.get("extras")
     names = extras.get("targetNames") if isinstance(extras, dict) else None
@@ -41,10 +29,10 @@ def target_names(mesh: Table) -> list[str]:
     return ["".join(c for c in name if c.isprintable()).strip()[:60] or f"target_{k}" for k, name in enumerate(names)]
 
 
-def name_of(document: Document) -> str:
+def name_of(document: gltf_document.Document) -> str:
     """Return the name of the first mesh, if it has one."""
     meshes = document.list_of("meshes")
-    return text_of(meshes[0], "name", "")[:255] if meshes else ""
+    return gltf_document.text_of(meshes[0], "name", "")[:255] if meshes else ""
 
 
 class Placed(NamedTuple):
@@ -61,14 +49,14 @@ class Placed(NamedTuple):
     skin: int | None = None
 
 
-def placed(document: Document) -> Iterator[Placed]:
+def placed(document: gltf_document.Document) -> Iterator[Placed]:
     """Return each mesh of the scene; all meshes, if no node has one."""
     nodes = document.list_of("nodes")
-    children = {child for node in nodes for child in wholes_of(node, "children")}
+    children = {child for node in nodes for child in gltf_document.wholes_of(node, "children")}
     waiting = [place for place in range(len(nodes)) if place not in children]
     scenes = document.list_of("scenes")
     if scenes:
-        waiting = wholes_of(document.entry("scenes", document.whole("scene")), "nodes")
+        waiting = gltf_document.wholes_of(document.entry("scenes", document.whole("scene")), "nodes")
     seen: set[int] = set()
     found = False
     while waiting:
@@ -79,8 +67,12 @@ def placed(document: Document) -> Iterator[Placed]:
         node = document.entry("nodes", place)
         if "mesh" in node:
             found = True
-            yield Placed(whole_of(node, "mesh"), place, whole_of(node, "skin") if "skin" in node else None)
-        waiting += wholes_of(node, "children")
+            yield Placed(
+                gltf_document.whole_of(node, "mesh"),
+                place,
+                gltf_document.whole_of(node, "skin") if "skin" in node else None,
+            )
+        waiting += gltf_document.wholes_of(node, "children")
     if not found:
         yield from map(Placed, range(len(document.list_of("meshes"))))
 
@@ -93,7 +85,7 @@ NUMBER = "_VERTEX"
 """The attribute that keeps the numbers of vertices of which a .3dm file tells no more."""
 
 
-def parse_gltf(content: bytes, beside: Beside = lambda _name: None) -> MorphMesh:
+def parse_gltf(content: bytes, beside: gltf_document.Beside = lambda _name: None) -> MorphMesh:
     """Read a .glb, .vrm or .gltf file: positions, normals, colours, materials, triangles, and morph targets.
 
     The meshes are put where the scene's nodes, or the bones of their skins, put them. Morph targets of one name in
@@ -108,14 +100,14 @@ def parse_gltf(content: bytes, beside: Beside = lambda _name: None) -> MorphMesh
     ------
     MeshError : it is no glTF, is compressed, or says something impossible.
     """
-    document = Document(content, beside)
+    document = gltf_document.Document(content, beside)
     turn = np.diag([-1.0, 1.0, -1.0, 1.0]) if faces_back(document) else np.eye(4)
     gathered = _Gathered(document, Skeleton(document, turn), turn, materials_of(document))
     with np.errstate(all="ignore"):  # what overflows is refused as infinite
         for place in placed(document):
             table = document.entry("meshes", place.mesh)
             names = target_names(table)
-            for primitive in tables_of(table, "primitives"):
+            for primitive in gltf_document.tables_of(table, "primitives"):
                 gathered.add_primitive(primitive, names, place)
         return gathered.morph_mesh(name_of(document))
 
@@ -127,7 +119,7 @@ def parse_vrm(content: bytes) -> MorphMesh:
     ------
     MeshError : it is no VRM, or none that can be used.
     """
-    if not is_vrm(Document(content, lambda _name: None)):
+    if not is_vrm(gltf_document.Document(content, lambda _name: None)):
         raise MeshError("this is no VRM, it tells of no bones and expressions; rename it to .glb, or choose another")
     return parse_gltf(content)
 
@@ -136,7 +128,7 @@ def parse_vrm(content: bytes) -> MorphMesh:
 class _Gathered:
     """What the primitives that were read so far make together."""
 
-    document: Document
+    document: gltf_document.Document
     skeleton: Skeleton
     turn: Float64Array
     materials: list[Material]
@@ -155,8 +147,11 @@ class _Gathered:
     n_offsets: int = 0
     n_primitives: int = 0
 
-    def add_primitive(self, primitive: Table, names: list[str], place: Placed) -> None:
-        attributes, targets = table_of(primitive, "attributes"), tables_of(primitive, "targets")
+    def add_primitive(self, primitive: gltf_document.Table, names: list[str], place: Placed) -> None:
+        attributes, targets = (
+            gltf_document.table_of(primitive, "attributes"),
+            gltf_document.tables_of(primitive, "targets"),
+        )
         n = self._count(attributes, len(targets))
         if not n:
             return
@@ -193,13 +188,13 @@ class _Gathered:
             return MorphMesh(mesh, states, self.skeleton.neck)
         return _renumbered(MorphMesh(mesh, states), numbers)
 
-    def _count(self, attributes: Table, n_targets: int) -> int:
+    def _count(self, attributes: gltf_document.Table, n_targets: int) -> int:
         self.n_primitives += 1
         if self.n_primitives > MOST_PRIMITIVES:
             raise MeshError(f"a mesh has at most {MOST_PRIMITIVES} parts; join some")
         if "POSITION" not in attributes:
             return 0
-        n = count_of(self.document, whole_of(attributes, "POSITION"))
+        n = gltf_document.count_of(self.document, gltf_document.whole_of(attributes, "POSITION"))
         if self.n + n > MOST_VERTICES:
             raise MeshError(f"a mesh has at most {MOST_VERTICES} vertices; make it coarser")
         self.n_offsets += n * n_targets
@@ -207,8 +202,8 @@ class _Gathered:
             raise MeshError(f"all morph targets have at most {MOST_OFFSETS} vertices together; make it coarser")
         return n
 
-    def _vectors(self, attributes: Table, key: str, n: int) -> Float32Array:
-        found = array_of(self.document, whole_of(attributes, key))
+    def _vectors(self, attributes: gltf_document.Table, key: str, n: int) -> Float32Array:
+        found = gltf_document.array_of(self.document, gltf_document.whole_of(attributes, key))
         if found.shape != (n, 3):
             raise MeshError(f"its {key} is of shape {found.shape}, and there are {n} vertices; export it again")
         vectors = found.astype(np.float32)
@@ -216,46 +211,52 @@ class _Gathered:
             raise MeshError(f"its {key} holds a number that is not finite; export it again")
         return vectors
 
-    def _normals(self, attributes: Table, n: int, transform: Float64Array) -> Float32Array:
+    def _normals(self, attributes: gltf_document.Table, n: int, transform: Float64Array) -> Float32Array:
         if "NORMAL" not in attributes:
             return np.zeros((n, 3), np.float32)
         cofactors = np.cross(transform[..., [1, 2, 0], :3], transform[..., [2, 0, 1], :3])
         return _turned(self._vectors(attributes, "NORMAL", n), cofactors)
 
-    def _colours(self, attributes: Table, primitive: Table, n: int) -> Float32Array:
+    def _colours(self, attributes: gltf_document.Table, primitive: gltf_document.Table, n: int) -> Float32Array:
         colours = np.ones((n, 3), np.float32)
         if "COLOR_0" in attributes:
-            found = array_of(self.document, whole_of(attributes, "COLOR_0"))
+            found = gltf_document.array_of(self.document, gltf_document.whole_of(attributes, "COLOR_0"))
             if len(found) != n or found.shape[1] not in (3, 4) or found.dtype.kind != "f":
                 raise MeshError(f"its COLOR_0 is of shape {found.shape}, with {n} vertices; export it again")
             colours = np.clip(np.nan_to_num(found[:, :3]), 0, 1).astype(np.float32)
         return srgb_of(colours * self._base_colour(primitive))
 
-    def _base_colour(self, primitive: Table) -> Float32Array:
+    def _base_colour(self, primitive: gltf_document.Table) -> Float32Array:
         if "material" not in primitive:
             return np.ones(3, np.float32)
-        material = self.document.entry("materials", whole_of(primitive, "material"))
-        colour = numbers_of(table_of(material, "pbrMetallicRoughness"), "baseColorFactor", [1.0] * 4)
+        material = self.document.entry("materials", gltf_document.whole_of(primitive, "material"))
+        colour = gltf_document.numbers_of(
+            gltf_document.table_of(material, "pbrMetallicRoughness"), "baseColorFactor", [1.0] * 4
+        )
         return np.clip(np.array(colour[:3], np.float32), 0, 1)
 
-    def _uvs(self, attributes: Table, primitive: Table, n: int) -> Float32Array:
-        place = whole_of(primitive, "material", 0)
+    def _uvs(self, attributes: gltf_document.Table, primitive: gltf_document.Table, n: int) -> Float32Array:
+        place = gltf_document.whole_of(primitive, "material", 0)
         table = self.document.entry("materials", place) if "material" in primitive else {}
-        texture = table_of(table_of(table, "pbrMetallicRoughness"), "baseColorTexture")
-        moved = table_of(table_of(texture, "extensions"), "KHR_texture_transform")
-        key = f"TEXCOORD_{whole_of(moved, 'texCoord', whole_of(texture, 'texCoord', 0))}"
+        texture = gltf_document.table_of(gltf_document.table_of(table, "pbrMetallicRoughness"), "baseColorTexture")
+        moved = gltf_document.table_of(gltf_document.table_of(texture, "extensions"), "KHR_texture_transform")
+        key = f"TEXCOORD_{gltf_document.whole_of(moved, 'texCoord', gltf_document.whole_of(texture, 'texCoord', 0))}"
         if key not in attributes:
             return np.zeros((n, 2), np.float32)
-        found = array_of(self.document, whole_of(attributes, key))
+        found = gltf_document.array_of(self.document, gltf_document.whole_of(attributes, key))
         if found.shape != (n, 2):
             raise MeshError(f"its {key} is of shape {found.shape}, and there are {n} vertices; export it again")
-        (turn,) = numbers_of({"rotation": [moved.get("rotation", 0.0)]}, "rotation", [0.0])
+        (turn,) = gltf_document.numbers_of({"rotation": [moved.get("rotation", 0.0)]}, "rotation", [0.0])
         matrix = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
-        scaled = found * np.array(numbers_of(moved, "scale", [1.0, 1.0])) @ matrix.T
-        uvs: Float32Array = (scaled + np.array(numbers_of(moved, "offset", [0.0, 0.0]))).astype(np.float32)
+        scaled = found * np.array(gltf_document.numbers_of(moved, "scale", [1.0, 1.0])) @ matrix.T
+        uvs: Float32Array = (scaled + np.array(gltf_document.numbers_of(moved, "offset", [0.0, 0.0]))).astype(
+            np.float32
+        )
         return uvs
 
-    def _where(self, place: Placed, attributes: Table, n: int) -> tuple[Float64Array, dict[str, Float32Array]]:
+    def _where(
+        self, place: Placed, attributes: gltf_document.Table, n: int
+    ) -> tuple[Float64Array, dict[str, Float32Array]]:
         """Return what moves n vertices into the scene, one matrix or one each, and which bones carry them."""
         if place.node is None:
             return self.turn, {}
@@ -286,13 +287,13 @@ class _Gathered:
         parts = zip(self.shares, sizes, strict=True)
         return np.concatenate([shares.get(bone, np.zeros(n, np.float32)) for shares, n in parts])
 
-    def _push_triangles(self, primitive: Table, n: int) -> None:
-        mode = whole_of(primitive, "mode", TRIANGLES)
+    def _push_triangles(self, primitive: gltf_document.Table, n: int) -> None:
+        mode = gltf_document.whole_of(primitive, "mode", TRIANGLES)
         if mode not in (TRIANGLES, STRIP, FAN):
             return
         corners = np.arange(n)
         if "indices" in primitive:
-            found = array_of(self.document, whole_of(primitive, "indices"))
+            found = gltf_document.array_of(self.document, gltf_document.whole_of(primitive, "indices"))
             if found.dtype.kind != "u" or found.shape[1] != 1:
                 raise MeshError("the corners of its triangles are no whole numbers; export it again")
             corners = found[:, 0].astype(np.int64)
@@ -303,19 +304,21 @@ class _Gathered:
         if self.n_triangles > MOST_TRIANGLES:
             raise MeshError(f"a mesh has at most {MOST_TRIANGLES} triangles; make it coarser")
         self.triangles.append((triangles + self.n).astype(np.uint32))
-        material = min(whole_of(primitive, "material", 0), MOST_MATERIALS - 1)
+        material = min(gltf_document.whole_of(primitive, "material", 0), MOST_MATERIALS - 1)
         self.kinds.append(np.full(len(triangles), material, np.uint16))
 
-    def _push_numbers(self, attributes: Table, n: int) -> None:
+    def _push_numbers(self, attributes: gltf_document.Table, n: int) -> None:
         numbers = self.n + np.arange(n)
         if NUMBER in attributes:
-            found = array_of(self.document, whole_of(attributes, NUMBER))
+            found = gltf_document.array_of(self.document, gltf_document.whole_of(attributes, NUMBER))
             if found.shape != (n, 1) or not np.all((found >= 0) & (found < MOST_VERTICES)):
                 raise MeshError(f"its {NUMBER} are no numbers of vertices; export it again")
             numbers = found[:, 0].astype(np.int64)
         self.numbers.append(numbers)
 
-    def _push_target(self, name: str, target: Table, n: int, transform: Float64Array) -> list[Movestate]:
+    def _push_target(
+        self, name: str, target: gltf_document.Table, n: int, transform: Float64Array
+    ) -> list[Movestate]:
         """Take a morph target of n vertices, and return what it moves."""
         if len(self.moved) >= MOST_STATES and name not in self.moved:
             raise MeshError(f"a face has at most {MOST_STATES} morph targets; leave some out")

@@ -9,16 +9,7 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.mesh import (
-    GREY,
-    MOST_MATERIALS,
-    MOST_TRIANGLES,
-    MOST_VERTICES,
-    Material,
-    Mesh,
-    mesh_of,
-    summed_at,
-)
+from phonemeengine.mouth import mesh
 from phonemeengine.mouth.morph_mesh import MorphMesh
 
 LONGEST_LINE = 1 << 16
@@ -78,12 +69,12 @@ class _ObjReader:
         if words and (act := self._acts.get(words[0])):
             act(words[1:])
 
-    def mesh(self) -> Mesh:
+    def mesh(self) -> mesh.Mesh:
         """Return the mesh that all lines make."""
         n = len(self._positions) // 3
         colours = _vectors(self._colours).astype(np.float32) if len(self._colours) == 3 * n and n else None
-        materials = tuple(Material(name, self._materials.get(name, GREY)) for name in self._places)
-        return mesh_of(
+        materials = tuple(mesh.Material(name, self._materials.get(name, mesh.GREY)) for name in self._places)
+        return mesh.mesh_of(
             _vectors(self._positions),
             _vectors(self._triangles),
             name=self._name,
@@ -94,8 +85,8 @@ class _ObjReader:
         )
 
     def _vertex(self, words: list[bytes]) -> None:
-        if len(self._positions) >= 3 * MOST_VERTICES:
-            raise MeshError(f"a mesh has at most {MOST_VERTICES} vertices; make it coarser")
+        if len(self._positions) >= 3 * mesh.MOST_VERTICES:
+            raise MeshError(f"a mesh has at most {mesh.MOST_VERTICES} vertices; make it coarser")
         x, y, z = map(float, words[:3])
         self._positions.extend((x, y, z))
         if len(words) >= 6:
@@ -103,16 +94,16 @@ class _ObjReader:
             self._colours.extend((red, green, blue))
 
     def _normal(self, words: list[bytes]) -> None:
-        if len(self._normals) >= 3 * MOST_TRIANGLES:
-            raise MeshError(f"a mesh has at most {MOST_TRIANGLES} normals; make it coarser")
+        if len(self._normals) >= 3 * mesh.MOST_TRIANGLES:
+            raise MeshError(f"a mesh has at most {mesh.MOST_TRIANGLES} normals; make it coarser")
         x, y, z = map(float, words[:3])
         self._normals.extend((x, y, z))
 
     def _face(self, words: list[bytes]) -> None:
         corners = [word.split(b"/") for word in words]
         vertices = [_place_of(corner[0], len(self._positions) // 3, "vertex") for corner in corners]
-        if len(self._triangles) + 3 * len(corners) > 3 * MOST_TRIANGLES:
-            raise MeshError(f"a mesh has at most {MOST_TRIANGLES} triangles; make it coarser")
+        if len(self._triangles) + 3 * len(corners) > 3 * mesh.MOST_TRIANGLES:
+            raise MeshError(f"a mesh has at most {mesh.MOST_TRIANGLES} triangles; make it coarser")
         for corner, vertex in zip(corners, vertices, strict=True):
             if len(corner) > 2 and corner[2]:
                 self._corners.append(vertex)
@@ -125,8 +116,8 @@ class _ObjReader:
 
     def _use(self, words: list[bytes]) -> None:
         name = _text(words)
-        if name not in self._places and len(self._places) >= MOST_MATERIALS:
-            raise MeshError(f"a mesh has at most {MOST_MATERIALS} materials; join some")
+        if name not in self._places and len(self._places) >= mesh.MOST_MATERIALS:
+            raise MeshError(f"a mesh has at most {mesh.MOST_MATERIALS} materials; join some")
         self._place = self._places.setdefault(name, len(self._places))
 
     def _library(self, words: list[bytes]) -> None:
@@ -144,7 +135,7 @@ class _ObjReader:
         given = _vectors(self._normals)[np.array(self._corner_normals)]
         if not np.all(np.abs(given) < 1e30):
             return None
-        return summed_at(np.array(self._corners), given, n).astype(np.float32)
+        return mesh.summed_at(np.array(self._corners), given, n).astype(np.float32)
 
 
 def _materials_of(content: bytes) -> Iterator[tuple[str, tuple[float, float, float]]]:

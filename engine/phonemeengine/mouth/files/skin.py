@@ -14,15 +14,7 @@ import numpy as np
 from phonemeengine.arrays import BoolArray, Float32Array, Float64Array, Int64Array
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.blendshape_names import BONE
-from phonemeengine.mouth.files.gltf_document import (
-    Document,
-    Table,
-    array_of,
-    numbers_of,
-    text_of,
-    whole_of,
-    wholes_of,
-)
+from phonemeengine.mouth.files import gltf_document
 from phonemeengine.mouth.files.vrm import human_bones
 from phonemeengine.mouth.idle_motion import DOWN, SIDEWAYS, UP
 from phonemeengine.mouth.movestate import Movestate, movestate_of
@@ -86,7 +78,7 @@ class Skeleton:
     MeshError : a node is above itself, or names one that is not there.
     """
 
-    def __init__(self, document: Document, turn: Float64Array) -> None:
+    def __init__(self, document: gltf_document.Document, turn: Float64Array) -> None:
         self._document = document
         nodes = document.list_of("nodes")
         if len(nodes) > MOST_NODES:
@@ -104,7 +96,7 @@ class Skeleton:
         x, y, z = self._joint(HEAD).tolist()
         return x, y, z
 
-    def skinned(self, skin: int, attributes: Table, n: int) -> Skinned | None:
+    def skinned(self, skin: int, attributes: gltf_document.Table, n: int) -> Skinned | None:
         """Return how a skin puts n vertices; None where these name no bones.
 
         Raises
@@ -114,7 +106,7 @@ class Skeleton:
         if "JOINTS_0" not in attributes or "WEIGHTS_0" not in attributes:
             return None
         table = self._document.entry("skins", skin)
-        joints = np.array(wholes_of(table, "joints"), np.int64)
+        joints = np.array(gltf_document.wholes_of(table, "joints"), np.int64)
         if not len(joints) or joints.max() >= len(self.places):
             raise MeshError("a skin names a bone that is not there; export it again")
         matrices = self.places[joints] @ self._inverse_binds(table, len(joints))
@@ -144,22 +136,24 @@ class Skeleton:
         joint: Float64Array = self.places[self.bones[bone]][:3, 3]
         return joint
 
-    def _inverse_binds(self, table: Table, n_joints: int) -> Float64Array:
+    def _inverse_binds(self, table: gltf_document.Table, n_joints: int) -> Float64Array:
         if "inverseBindMatrices" not in table:
             return np.tile(np.eye(4), (n_joints, 1, 1))
-        found = array_of(self._document, whole_of(table, "inverseBindMatrices"))
+        found = gltf_document.array_of(self._document, gltf_document.whole_of(table, "inverseBindMatrices"))
         if len(found) < n_joints or found.shape[1] != 16 or not np.all(np.abs(found) < 1e9):
             raise MeshError(f"a skin of {n_joints} bones has {len(found)} matrices for them; export it again")
         return found[:n_joints].reshape(-1, 4, 4).transpose(0, 2, 1).astype(np.float64)
 
-    def _sets(self, attributes: Table, n: int, n_joints: int) -> list[tuple[Int64Array, Float32Array]]:
+    def _sets(self, attributes: gltf_document.Table, n: int, n_joints: int) -> list[tuple[Int64Array, Float32Array]]:
         """Return bones and weights of all vertices, shape (n,) each; the weights of a vertex add up to 1."""
         found: list[tuple[Int64Array, Float32Array]] = []
         for number in range(MOST_SETS):
             keys = f"JOINTS_{number}", f"WEIGHTS_{number}"
             if not all(key in attributes for key in keys):
                 break
-            bones, weights = (array_of(self._document, whole_of(attributes, key)) for key in keys)
+            bones, weights = (
+                gltf_document.array_of(self._document, gltf_document.whole_of(attributes, key)) for key in keys
+            )
             if bones.shape != (n, 4) or weights.shape != (n, 4) or bones.dtype.kind != "u":
                 raise MeshError(f"its {keys[0]} are no bones of {n} vertices; export it again")
             if n and bones.max() >= n_joints:
@@ -186,11 +180,14 @@ class Skeleton:
         return np.array([known[node] for node in range(len(self.places))], bool)
 
 
-def face_bones(document: Document) -> dict[str, int]:
+def face_bones(document: gltf_document.Document) -> dict[str, int]:
     """Return the nodes that are head, jaw and eyes: what a VRM says they are, else by their names."""
     found = human_bones(document)
     if not found:
-        names = [re.sub(r"[^a-z]", "", text_of(node, "name", "").lower()) for node in document.list_of("nodes")]
+        names = [
+            re.sub(r"[^a-z]", "", gltf_document.text_of(node, "name", "").lower())
+            for node in document.list_of("nodes")
+        ]
         patterns = {bone: re.compile(_PREFIX + pattern) for bone, pattern in _KNOWN.items()}
         for place, (name, node) in enumerate(zip(names, document.list_of("nodes"), strict=True)):
             for bone in (bone for bone, pattern in patterns.items() if pattern.fullmatch(name)):
@@ -200,7 +197,7 @@ def face_bones(document: Document) -> dict[str, int]:
     return {bone: node for bone, node in found.items() if bone in _KNOWN and 0 <= node < n}
 
 
-def bone_angles(document: Document, weights: Mapping[str, Float32Array]) -> dict[int, Float64Array]:
+def bone_angles(document: gltf_document.Document, weights: Mapping[str, Float32Array]) -> dict[int, Float64Array]:
     """Return how the bones of jaw and eyes turn while their movestates move.
 
     Parameters
@@ -219,27 +216,27 @@ def bone_angles(document: Document, weights: Mapping[str, Float32Array]) -> dict
     return angles
 
 
-def local_transform(node: Table) -> Float64Array:
+def local_transform(node: gltf_document.Table) -> Float64Array:
     """Return a node's matrix; it is stated by columns, or as scale, rotation (x, y, z, w) and translation."""
     if "matrix" in node:
-        return np.array(numbers_of(node, "matrix", [0.0] * 16)).reshape(4, 4).T
-    x, y, z, w = numbers_of(node, "rotation", [0.0, 0.0, 0.0, 1.0])
+        return np.array(gltf_document.numbers_of(node, "matrix", [0.0] * 16)).reshape(4, 4).T
+    x, y, z, w = gltf_document.numbers_of(node, "rotation", [0.0, 0.0, 0.0, 1.0])
     made = np.eye(4)
     made[:3, :3] = [
         [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
         [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
         [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
     ]
-    made[:3, :3] *= numbers_of(node, "scale", [1.0, 1.0, 1.0])
-    made[:3, 3] = numbers_of(node, "translation", [0.0, 0.0, 0.0])
+    made[:3, :3] *= gltf_document.numbers_of(node, "scale", [1.0, 1.0, 1.0])
+    made[:3, 3] = gltf_document.numbers_of(node, "translation", [0.0, 0.0, 0.0])
     return made
 
 
-def _parents_of(document: Document) -> dict[int, int]:
+def _parents_of(document: gltf_document.Document) -> dict[int, int]:
     parents: dict[int, int] = {}
     n = len(document.list_of("nodes"))
     for place, node in enumerate(document.list_of("nodes")):
-        for child in wholes_of(node, "children"):
+        for child in gltf_document.wholes_of(node, "children"):
             if child >= n:
                 raise MeshError(f"it names number {child} of its nodes, and there are {n}; export it again")
             if parents.setdefault(child, place) != place:
@@ -247,7 +244,7 @@ def _parents_of(document: Document) -> dict[int, int]:
     return parents
 
 
-def _places_of(document: Document, parents: dict[int, int], turn: Float64Array) -> Float64Array:
+def _places_of(document: gltf_document.Document, parents: dict[int, int], turn: Float64Array) -> Float64Array:
     """Return the matrix of each node in the scene, shape (n_nodes, 4, 4)."""
     nodes = document.list_of("nodes")
     places = np.zeros((len(nodes), 4, 4))

@@ -7,15 +7,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.files.gltf_document import (
-    Document,
-    Table,
-    numbers_of,
-    table_of,
-    tables_of,
-    text_of,
-    whole_of,
-)
+from phonemeengine.mouth.files import gltf_document
 
 VRM0, VRM1 = "VRM", "VRMC_vrm"
 MOST_EXPRESSIONS = 1024
@@ -56,31 +48,31 @@ class Bind(NamedTuple):
     weight: float
 
 
-def is_vrm(document: Document) -> bool:
+def is_vrm(document: gltf_document.Document) -> bool:
     """Return whether a glTF is an avatar."""
     return bool(_extension(document, VRM0) or _extension(document, VRM1))
 
 
-def faces_back(document: Document) -> bool:
+def faces_back(document: gltf_document.Document) -> bool:
     """Return whether an avatar faces along -z, as those of VRM 0 do; those of VRM 1 face along z."""
     return bool(_extension(document, VRM0)) and not _extension(document, VRM1)
 
 
-def human_bones(document: Document) -> dict[str, int]:
+def human_bones(document: gltf_document.Document) -> dict[str, int]:
     """Return the node of each bone, by the name that VRM has for it, such as ``leftEye``."""
-    bones = table_of(_extension(document, VRM1), "humanoid").get("humanBones")
+    bones = gltf_document.table_of(_extension(document, VRM1), "humanoid").get("humanBones")
     if isinstance(bones, dict):
-        return {name: whole_of(table_of(bones, name), "node") for name in bones}
-    listed = tables_of(table_of(_extension(document, VRM0), "humanoid"), "humanBones")
-    return {text_of(bone, "bone"): whole_of(bone, "node") for bone in listed}
+        return {name: gltf_document.whole_of(gltf_document.table_of(bones, name), "node") for name in bones}
+    listed = gltf_document.tables_of(gltf_document.table_of(_extension(document, VRM0), "humanoid"), "humanBones")
+    return {gltf_document.text_of(bone, "bone"): gltf_document.whole_of(bone, "node") for bone in listed}
 
 
-def material_properties(document: Document) -> list[Table]:
+def material_properties(document: gltf_document.Document) -> list[gltf_document.Table]:
     """Return what VRM 0 says of each material beside glTF; empty where it says nothing."""
-    return tables_of(_extension(document, VRM0), "materialProperties")
+    return gltf_document.tables_of(_extension(document, VRM0), "materialProperties")
 
 
-def expressions_of(document: Document) -> dict[str, tuple[Bind, ...]]:
+def expressions_of(document: gltf_document.Document) -> dict[str, tuple[Bind, ...]]:
     """Return the morph targets that each expression of an avatar moves.
 
     Raises
@@ -98,40 +90,48 @@ def expressions_of(document: Document) -> dict[str, tuple[Bind, ...]]:
     return found
 
 
-def _extension(document: Document, name: str) -> Table:
-    return table_of(document.table("extensions"), name)
+def _extension(document: gltf_document.Document, name: str) -> gltf_document.Table:
+    return gltf_document.table_of(document.table("extensions"), name)
 
 
-def _expressions0(document: Document) -> Iterator[tuple[str, tuple[Bind, ...]]]:
-    master = table_of(_extension(document, VRM0), "blendShapeMaster")
-    for group in tables_of(master, "blendShapeGroups"):
-        preset = text_of(group, "presetName", "").lower()
-        name = _PRESETS0.get(preset) or _printable(text_of(group, "name", ""))
+def _expressions0(document: gltf_document.Document) -> Iterator[tuple[str, tuple[Bind, ...]]]:
+    master = gltf_document.table_of(_extension(document, VRM0), "blendShapeMaster")
+    for group in gltf_document.tables_of(master, "blendShapeGroups"):
+        preset = gltf_document.text_of(group, "presetName", "").lower()
+        name = _PRESETS0.get(preset) or _printable(gltf_document.text_of(group, "name", ""))
         binds = (
-            Bind(whole_of(bind, "mesh"), whole_of(bind, "index"), _weight(bind, 100.0) / 100)
-            for bind in tables_of(group, "binds")
+            Bind(
+                gltf_document.whole_of(bind, "mesh"),
+                gltf_document.whole_of(bind, "index"),
+                _weight(bind, 100.0) / 100,
+            )
+            for bind in gltf_document.tables_of(group, "binds")
         )
         yield name, tuple(binds)
 
 
-def _expressions1(document: Document) -> Iterator[tuple[str, tuple[Bind, ...]]]:
-    expressions = table_of(_extension(document, VRM1), "expressions")
+def _expressions1(document: gltf_document.Document) -> Iterator[tuple[str, tuple[Bind, ...]]]:
+    expressions = gltf_document.table_of(_extension(document, VRM1), "expressions")
     for kind in ("preset", "custom"):
-        named = table_of(expressions, kind)
+        named = gltf_document.table_of(expressions, kind)
         for name in named:
             binds = (
-                Bind(_mesh_at(document, whole_of(bind, "node")), whole_of(bind, "index"), _weight(bind, 1.0))
-                for bind in tables_of(table_of(named, name), "morphTargetBinds")
+                Bind(
+                    _mesh_at(document, gltf_document.whole_of(bind, "node")),
+                    gltf_document.whole_of(bind, "index"),
+                    _weight(bind, 1.0),
+                )
+                for bind in gltf_document.tables_of(gltf_document.table_of(named, name), "morphTargetBinds")
             )
             yield _printable(name), tuple(binds)
 
 
-def _mesh_at(document: Document, node: int) -> int:
-    return whole_of(document.entry("nodes", node), "mesh")
+def _mesh_at(document: gltf_document.Document, node: int) -> int:
+    return gltf_document.whole_of(document.entry("nodes", node), "mesh")
 
 
-def _weight(bind: Table, default: float) -> float:
-    return numbers_of({"weight": [bind.get("weight", default)]}, "weight", [default])[0]
+def _weight(bind: gltf_document.Table, default: float) -> float:
+    return gltf_document.numbers_of({"weight": [bind.get("weight", default)]}, "weight", [default])[0]
 
 
 def _printable(name: str) -> str:
