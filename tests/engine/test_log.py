@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 import soundfile
 
+from phonemeengine.audio.dropouts import DropoutMeter
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.audio.input import DropoutMeter
 from phonemeengine.audio.stream import InputChoice
 from phonemeengine.live.player import Player
 from phonemeengine.settings import HOP, SAMPLE_RATE

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from phonemeengine.audio.input import LEAST, DropoutMeter
+from phonemeengine.audio.dropouts import LEAST, DropoutMeter
 
 RATE = 48_000
 BLOCK = 480
