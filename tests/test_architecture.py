@@ -14,7 +14,7 @@ MOST = 10
 LONGEST = 500
 """Lines that a file of Python may have."""
 DESKTOP = "phonemeanalyser.desktop"
-DRAWING = ("PySide6.QtWidgets", "pyqtgraph", f"{DESKTOP}.theme", f"{DESKTOP}.painting")
+DRAWING = ("PySide6.QtWidgets", "pyqtgraph", f"{DESKTOP}.theme")
 """Of what a view is made."""
 
 

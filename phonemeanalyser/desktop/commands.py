@@ -23,7 +23,7 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.settings import read
 from phonemeanalyser.desktop.welcome import WelcomeCards
-from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
+from phonemeanalyser.desktop.widgets.keyboard import KEYS
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 

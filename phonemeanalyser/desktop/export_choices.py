@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QSpinBox, QWidg
 from phonemeanalyser.colours import DARK, LIGHT
 from phonemeanalyser.desktop.engine_words import table_title
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.session.export_kinds import CLIPS, EXPORT_KINDS, ExportOrder, FaceInUse
+from phonemeanalyser.desktop.session.exports import CLIPS, EXPORT_KINDS, ExportOrder, FaceInUse
 from phonemeanalyser.desktop.settings import read
 from phonemeanalyser.desktop.talk.head.face_model import HEADS
 from phonemeanalyser.desktop.talk.mouth_table import choices_panel

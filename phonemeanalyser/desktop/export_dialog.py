@@ -12,11 +12,19 @@ from typing_extensions import override
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.export_choices import ExportChoices
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.painting import format_clock
-from phonemeanalyser.desktop.program_folder import in_program, outside_program
-from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, FaceInUse, work_of
-from phonemeanalyser.desktop.session.export_queue import ExportJob, ExportQueue, ExportState, in_the_way, sounds_in
-from phonemeanalyser.desktop.settings import keep
+from phonemeanalyser.desktop.session.exports import (
+    EXPORT_KINDS,
+    ExportJob,
+    ExportOrder,
+    ExportQueue,
+    ExportState,
+    FaceInUse,
+    in_the_way,
+    sounds_in,
+    work_of,
+)
+from phonemeanalyser.desktop.settings import in_program, keep, outside_program
+from phonemeanalyser.desktop.theme import format_clock
 from phonemeanalyser.desktop.widgets.builders import column, label, named, row
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, FileDrops, audio_filters
 from phonemeanalyser.desktop.widgets.plot_menu import let_copy

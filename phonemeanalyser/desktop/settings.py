@@ -1,13 +1,16 @@
-"""Choices that outlive the window: values of one type each in the user's settings, which may be edited by hand."""
+"""What outlives the window: choices of one type each in the user's settings, and where files of the user's are."""
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from enum import Enum
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
 from PySide6.QtCore import QSettings
+
+from phonemeengine.storage.paths import presets_folder
 
 T = TypeVar("T")
 N_RECENT = 8
@@ -74,3 +77,22 @@ def _typed(text: str, default: Any) -> Any:
     if isinstance(number, float) and not math.isfinite(number):
         raise ValueError(text)
     return number
+
+
+PROGRAM = Path(__file__).resolve().parents[1]
+
+
+def in_program(path: Path) -> bool:
+    """Return whether a file is the program's own, as the demo is."""
+    return path.resolve().is_relative_to(PROGRAM)
+
+
+def outside_program(path: Path, *, make_folder: bool = False) -> Path:
+    """Return where a file of the user's is; for one beside the demo, in a folder in Documents, which may be made."""
+    if not in_program(path):
+        return path
+    folder = presets_folder().parent
+    if make_folder:
+        with suppress(OSError):  # then writing tells why not
+            folder.mkdir(parents=True, exist_ok=True)
+    return folder / path.name

@@ -36,7 +36,7 @@ from phonemeanalyser.desktop.what_is_this import WhatIsThis
 from phonemeanalyser.desktop.widgets.banner import Banner
 from phonemeanalyser.desktop.widgets.builders import column
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, FileDrops
-from phonemeanalyser.desktop.widgets.key_filters import ControlKeys, FocusReturn, settle_focus
+from phonemeanalyser.desktop.widgets.keyboard import ControlKeys, FocusReturn, settle_focus
 from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack, PageSwitch
 from phonemeengine.audio.files import is_sound
 from phonemeengine.phonemes import Phoneme

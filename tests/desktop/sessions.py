@@ -2,7 +2,7 @@
 
 from pytestqt.qtbot import QtBot
 
-from phonemeanalyser.desktop.session.history import NOWHERE
+from phonemeanalyser.desktop.session.results import NOWHERE
 from phonemeanalyser.desktop.session.session import Session
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.conftest import SPEECH

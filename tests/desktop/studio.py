@@ -13,8 +13,8 @@ from PySide6.QtWidgets import QApplication, QComboBox
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.session.history import NOWHERE
 from phonemeanalyser.desktop.session.microphone import Microphone
+from phonemeanalyser.desktop.session.results import NOWHERE
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.analyser import Analysis

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QFileDialog, QLineEdit
 
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.export_dialog import BESIDE, ExportDialog
-from phonemeanalyser.desktop.session.export_queue import ExportState
+from phonemeanalyser.desktop.session.exports import ExportState
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.words.sound_words import KnownWords
 from phonemeanalyser.desktop.talk.words.text_model import TextTools

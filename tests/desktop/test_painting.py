@@ -9,7 +9,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage, QPainter
 from pytestqt.qtbot import QtBot
 
-from phonemeanalyser.desktop.painting import AT_LEFT, AT_RIGHT, CENTRED, draw_text, size_that_fills
+from phonemeanalyser.desktop.theme import AT_LEFT, AT_RIGHT, CENTRED, draw_text, size_that_fills
 
 WIDTH, HEIGHT = 200, 40
 BOX = QRectF(40, 0, 120, HEIGHT)

@@ -12,7 +12,7 @@ from PySide6.QtTest import QTest
 
 from phonemeanalyser.desktop.analyse.lanes.label_dialogs import TiersDialog
 from phonemeanalyser.desktop.export_dialog import ExportDialog
-from phonemeanalyser.desktop.session.export_queue import ExportState
+from phonemeanalyser.desktop.session.exports import ExportState
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.inspection.whole_sound import FrameState
 from phonemeengine.labels.textgrid import Tier

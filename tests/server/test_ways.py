@@ -10,8 +10,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.cli.main import main
-from phonemeanalyser.desktop.session.export_kinds import ExportOrder
-from phonemeanalyser.desktop.session.export_queue import ExportQueue
+from phonemeanalyser.desktop.session.exports import ExportOrder, ExportQueue
 from phonemeanalyser.rendering.clip import ClipWork
 from phonemeanalyser.rendering.clip_options import ClipOptions
 from phonemeengine import FORMATS, Preset, for_files, load_head, load_preset, morph_targets_of, save_morph_targets

@@ -15,8 +15,8 @@ from phonemeanalyser.desktop.settings import keep, read
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, audio_filters
+from phonemeanalyser.desktop.widgets.keyboard import HeldKeys
 from phonemeanalyser.desktop.widgets.pages import PageStack
-from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
 from phonemeanalyser.desktop.widgets.preset_picker import PresetPicker, preset_filter
 from phonemeengine.phonemes import Phoneme
 

@@ -10,9 +10,9 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.program_folder import outside_program
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.session.undo import UndoableEdit
+from phonemeanalyser.desktop.settings import outside_program
 from phonemeengine.arrays import IndexArray
 from phonemeengine.calibration.scores.corpus import FrameLabels, frame_labels_of
 from phonemeengine.calibration.scores.scoring import LabelError, error_spans, label_errors

@@ -8,7 +8,7 @@ import numpy as np
 from PySide6.QtCore import QObject, Qt, Signal
 from typing_extensions import override
 
-from phonemeanalyser.desktop.session.history import CAPACITY, History
+from phonemeanalyser.desktop.session.results import CAPACITY, History
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.arrays import Float32Array

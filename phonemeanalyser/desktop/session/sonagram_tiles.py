@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import Qt, QTimer, Signal
 from typing_extensions import override
 
-from phonemeanalyser.desktop.session.history import CAPACITY, History
+from phonemeanalyser.desktop.session.results import CAPACITY, History
 from phonemeanalyser.desktop.session.seen_tracks import MOST_SECONDS, KnownFormants, SeenTrack
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.arrays import Float32Array, IndexArray

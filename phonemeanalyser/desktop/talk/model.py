@@ -9,7 +9,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.session.export_kinds import FaceInUse
+from phonemeanalyser.desktop.session.exports import FaceInUse
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.drivers.difference_model import DifferenceModel

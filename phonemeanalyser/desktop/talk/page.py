@@ -7,7 +7,6 @@ from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.painting import format_clock
 from phonemeanalyser.desktop.talk.drivers.comparison import ComparisonMenu, DifferenceBar
 from phonemeanalyser.desktop.talk.expression.expression_panel import ExpressionPanel, OscPanel
 from phonemeanalyser.desktop.talk.expression.style_panel import StylePanel
@@ -21,7 +20,7 @@ from phonemeanalyser.desktop.talk.pictures import PICTURE_RATES
 from phonemeanalyser.desktop.talk.tour import Stop, Tour
 from phonemeanalyser.desktop.talk.words.lanes_panel import LanesPanel
 from phonemeanalyser.desktop.talk.words.text_panel import TextPanel
-from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme, format_clock
 from phonemeanalyser.desktop.widgets.builders import (
     ScrolledDown,
     Wrapping,
@@ -36,7 +35,7 @@ from phonemeanalyser.desktop.widgets.builders import (
     row,
     spoken_button,
 )
-from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
+from phonemeanalyser.desktop.widgets.keyboard import HeldKeys
 from phonemeengine.phonemes import Phoneme
 
 WIDTH, HEIGHT, EDGE = 96, 24, 4

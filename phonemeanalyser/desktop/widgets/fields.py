@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QComboBox, QCompleter, QDoubleSpinBox, QLineEdit, 
 from typing_extensions import override
 
 from phonemeanalyser.desktop.widgets.builders import label, leave_wheel, named, silent
-from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
+from phonemeanalyser.desktop.widgets.keyboard import NumberFieldKeys
 
 PERCENT_WIDTH = 40
 """Of the label beside a slider, pixels."""

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QWidget
 from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.program_folder import outside_program
+from phonemeanalyser.desktop.settings import outside_program
 from phonemeengine.audio.files import SUFFIXES
 from phonemeengine.storage.files import free_path
 

@@ -12,8 +12,7 @@ from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.painting import AT_LEFT, AT_RIGHT, CENTRED, draw_text, format_clock, letters_on
-from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.theme import AT_LEFT, AT_RIGHT, CENTRED, Theme, draw_text, format_clock, letters_on
 from phonemeanalyser.desktop.widgets.builders import named
 from phonemeengine.arrays import Float64Array, IndexArray, UInt8Array, UInt32Array
 from phonemeengine.dsp.waveform_peaks import Peaks

@@ -10,8 +10,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.painting import set_size
-from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.theme import Theme, set_size
 from phonemeengine.audio.level import Level
 
 LOWEST_DB, LOUD_DB = -60.0, -6.0

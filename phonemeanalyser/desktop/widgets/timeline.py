@@ -9,8 +9,7 @@ from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QResizeEve
 from PySide6.QtWidgets import QScrollBar, QSizePolicy, QWidget
 from typing_extensions import override
 
-from phonemeanalyser.desktop.painting import draw_text
-from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.theme import Theme, draw_text
 from phonemeanalyser.desktop.widgets.builders import column
 from phonemeanalyser.desktop.widgets.lanes import SIZE, Lane, TimeAxis, paint_lane, paint_name
 from phonemeengine.settings import FRAME_PERIOD

@@ -12,7 +12,7 @@ from PySide6.QtTest import QTest
 from phonemeanalyser.desktop.analyse.lanes.scroll_view import ColourBar
 from phonemeanalyser.desktop.analyse.lanes.sonagram import COLOUR_MAPS, colours_of
 from phonemeanalyser.desktop.engine_words import sound_name
-from phonemeanalyser.desktop.session.history import CAPACITY
+from phonemeanalyser.desktop.session.results import CAPACITY
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.features.variables import BUILT_IN_NAMES

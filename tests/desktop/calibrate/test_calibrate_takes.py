@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QDockWidget
 
 from phonemeanalyser.desktop.calibrate.takes.takes_model import AROUND
 from phonemeanalyser.desktop.session.sources import SourceKind
-from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
+from phonemeanalyser.desktop.widgets.keyboard import KEYS
 from phonemeengine.analyser import Analysis
 from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.labels.utterance import CORE

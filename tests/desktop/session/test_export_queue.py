@@ -4,8 +4,7 @@ from pathlib import Path
 
 from pytestqt.qtbot import QtBot
 
-from phonemeanalyser.desktop.session.export_kinds import ExportOrder
-from phonemeanalyser.desktop.session.export_queue import ExportQueue, ExportState
+from phonemeanalyser.desktop.session.exports import ExportOrder, ExportQueue, ExportState
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.presets.files import load_preset
 

@@ -4,7 +4,7 @@ from threading import Event
 
 import numpy as np
 
-from phonemeanalyser.desktop.session.history import History
+from phonemeanalyser.desktop.session.results import History
 from phonemeanalyser.desktop.session.seen_tracks import COLUMNS_AT_ONCE, FeelingTrack, LiveFeelings
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.analyser import analyse_blocks

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from phonemeanalyser.desktop.session.history import CAPACITY, GAP, NOWHERE, History
+from phonemeanalyser.desktop.session.results import CAPACITY, GAP, NOWHERE, History
 from phonemeengine.analyser import Analyser, Analysis
 from phonemeengine.features.variables import Features, Variable
 from phonemeengine.presets.preset import Preset

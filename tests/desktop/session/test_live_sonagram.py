@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from phonemeanalyser.desktop.session.history import CAPACITY, GAP, History
+from phonemeanalyser.desktop.session.results import CAPACITY, GAP, History
 from phonemeanalyser.desktop.session.sonagram_tiles import COLUMNS, LiveSonagram, SonagramTiles, levels_of
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.analyser import analyse_blocks

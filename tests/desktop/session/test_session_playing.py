@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
-from phonemeanalyser.desktop.session.history import GAP
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.results import GAP
 from phonemeanalyser.desktop.session.session import Session
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.phonemes import Phoneme

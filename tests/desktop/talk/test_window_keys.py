@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.export_dialog import ExportDialog
-from phonemeanalyser.desktop.session.export_kinds import ExportOrder, with_texts, work_of
+from phonemeanalyser.desktop.session.exports import ExportOrder, with_texts, work_of
 from phonemeanalyser.desktop.talk.keys.key_lanes import KeyLanes
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.batch.work import Job, say_nothing

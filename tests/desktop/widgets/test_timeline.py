@@ -8,8 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from phonemeanalyser.desktop.painting import shortened
-from phonemeanalyser.desktop.theme import LIGHT
+from phonemeanalyser.desktop.theme import LIGHT, shortened
 from phonemeanalyser.desktop.widgets.lanes import BoundaryDrag, Lane, TimeAxis, lane_of_frames, wave_pixels
 from phonemeanalyser.desktop.widgets.timeline import GAP, HEADING, HEIGHT, LEFT, Chapter, Timeline, TimelineView
 from phonemeengine.dsp.waveform_peaks import Peaks

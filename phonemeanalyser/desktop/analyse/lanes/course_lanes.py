@@ -10,11 +10,10 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 from phonemeanalyser.desktop.analyse.lanes.file_layout import LEFT, FileLayout
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, set_size
 from phonemeanalyser.desktop.session.courses import Courses, ThresholdLine
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import TimeSpan
-from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.theme import AT_RIGHT, CENTRED, Theme, draw_text, set_size
 from phonemeanalyser.desktop.widgets.distribution import short
 from phonemeanalyser.desktop.widgets.plot import broken_line
 from phonemeengine.arrays import Float32Array, Float64Array

@@ -6,9 +6,8 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from phonemeanalyser.desktop.analyse.lanes.sonagram import usual_of
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.painting import AT_LEFT, AT_RIGHT, draw_text, set_size
 from phonemeanalyser.desktop.session.seen_tracks import KnownFeelings
-from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.theme import AT_LEFT, AT_RIGHT, Theme, draw_text, set_size
 from phonemeanalyser.desktop.widgets.lanes import TimeAxis
 from phonemeanalyser.desktop.widgets.plot import broken_line
 from phonemeengine.features.feeling import Feeling

@@ -10,10 +10,9 @@ from phonemeanalyser.desktop.analyse.lanes.feeling_lane import paint_feeling_sca
 from phonemeanalyser.desktop.analyse.lanes.file_layout import LANE, LEFT, FileLayout
 from phonemeanalyser.desktop.analyse.lanes.sonagram import Overlaid, SonagramPainter
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.painting import CENTRED, draw_text, mixed
 from phonemeanalyser.desktop.session.preset import A
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.theme import CENTRED, PHONEME_COLOURS, Theme, draw_text, mixed
 from phonemeanalyser.desktop.widgets import lanes
 from phonemeengine.arrays import UInt32Array
 from phonemeengine.inspection.whole_sound import FrameState, SoundTracks

@@ -9,11 +9,11 @@ from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut
 from phonemeanalyser.desktop.analyse.lanes.file_view import FileView
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.program_folder import in_program
 from phonemeanalyser.desktop.session.label_tiers import ChosenLabel, LabelTiers
 from phonemeanalyser.desktop.session.selection import Selection
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeanalyser.desktop.settings import in_program
 from phonemeanalyser.desktop.widgets.builders import CANCEL, CLOSE, choice, column, dialog_buttons, label, named
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, ask_to_save
 from phonemeengine.features.variables import readable_name

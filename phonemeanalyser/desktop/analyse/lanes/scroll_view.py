@@ -18,7 +18,7 @@ from phonemeanalyser.desktop.analyse.lanes.sonagram_choices import SonagramChoic
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.courses import Courses
-from phonemeanalyser.desktop.session.history import CAPACITY, NOWHERE, History
+from phonemeanalyser.desktop.session.results import CAPACITY, NOWHERE, History
 from phonemeanalyser.desktop.session.seen_tracks import LiveFeelings
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sonagram_tiles import Tile

@@ -10,10 +10,9 @@ from PySide6.QtGui import QColor, QImage, QPaintEngine, QPainter, QPen, QPolygon
 from PySide6.QtWidgets import QComboBox
 
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.painting import AT_LEFT, AT_RIGHT, CENTRED, draw_text, set_size
 from phonemeanalyser.desktop.session.seen_tracks import MOST_SECONDS, KnownFormants
 from phonemeanalyser.desktop.session.sonagram_tiles import USUAL_COLOURS, SonagramTiles, Tile
-from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.theme import AT_LEFT, AT_RIGHT, CENTRED, Theme, draw_text, set_size
 from phonemeanalyser.desktop.widgets.lanes import TimeAxis
 from phonemeanalyser.desktop.widgets.plot import broken_line
 from phonemeengine.arrays import Float32Array, Float64Array, UInt32Array

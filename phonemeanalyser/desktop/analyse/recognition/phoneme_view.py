@@ -11,10 +11,9 @@ from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, set_size
 from phonemeanalyser.desktop.session.pitch_set_words import pitch_set_in_words, pitch_set_name
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.theme import AT_RIGHT, CENTRED, PHONEME_COLOURS, Theme, draw_text, set_size
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.analyser import latest_reading
 from phonemeengine.features.variables import readable_name

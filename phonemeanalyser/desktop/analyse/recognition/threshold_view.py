@@ -13,12 +13,12 @@ from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.session.history import History
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.results import History
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.fields import NumberField
-from phonemeanalyser.desktop.widgets.key_filters import ArrowKeys
+from phonemeanalyser.desktop.widgets.keyboard import ArrowKeys
 from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import Features, readable_name
 from phonemeengine.presets.controls import Control, ControlGroup, Moment

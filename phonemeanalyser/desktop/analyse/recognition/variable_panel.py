@@ -21,7 +21,7 @@ from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.builders import CANCEL, choice, dialog_buttons, label
 from phonemeanalyser.desktop.widgets.distribution import DistributionView, phoneme_of_rule, short
 from phonemeanalyser.desktop.widgets.fields import NumberField
-from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
+from phonemeanalyser.desktop.widgets.keyboard import KEYS
 from phonemeengine.errors import EngineError
 from phonemeengine.features.front_end import why_unmeasured
 from phonemeengine.features.variables import Kind, Spectrum, Variable

@@ -12,10 +12,9 @@ from typing_extensions import override
 from phonemeanalyser.desktop.analyse.transport.microphone_bar import MicrophoneBar, RecordButton
 from phonemeanalyser.desktop.analyse.transport.tone_bar import ToneBar
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.painting import format_clock, set_size
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import QUIETEST_DB, Playback, SourceKind
-from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme, format_clock, set_size
 from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.pages import PageStack
 from phonemeengine.arrays import UInt8Array, UInt32Array

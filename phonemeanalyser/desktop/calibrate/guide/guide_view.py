@@ -14,8 +14,7 @@ from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.workbench.figures_table import FiguresTable
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.painting import CENTRED, draw_text, size_that_fills
-from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.theme import CENTRED, PHONEME_COLOURS, Theme, draw_text, size_that_fills
 from phonemeanalyser.desktop.widgets.builders import choice, column, label, row, silent, spoken_button, tab_buttons
 from phonemeanalyser.desktop.widgets.level_meter import LevelMeterView
 from phonemeengine.calibration.calibrate import CalibrationResult

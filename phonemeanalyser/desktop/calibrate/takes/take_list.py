@@ -12,10 +12,9 @@ from typing_extensions import override
 from phonemeanalyser.desktop.calibrate.takes.takes_model import TakesModel
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.painting import CENTRED, draw_text
-from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.theme import CENTRED, PHONEME_COLOURS, Theme, draw_text
 from phonemeanalyser.desktop.widgets.builders import style_list
-from phonemeanalyser.desktop.widgets.key_filters import give_letters_to_page
+from phonemeanalyser.desktop.widgets.keyboard import give_letters_to_page
 from phonemeanalyser.desktop.widgets.plot_menu import let_copy
 from phonemeengine.calibration.takes.quality import TakeReport
 from phonemeengine.calibration.takes.take import Take

@@ -15,12 +15,10 @@ from phonemeanalyser.desktop.calibrate.takes.take_list import TakeListView
 from phonemeanalyser.desktop.calibrate.takes.takes_model import TakesModel
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.painting import CENTRED, draw_text, format_clock, letters_on, mixed
-from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.theme import CENTRED, PHONEME_COLOURS, Theme, draw_text, format_clock, letters_on, mixed
 from phonemeanalyser.desktop.widgets import builders
-from phonemeanalyser.desktop.widgets.key_filters import ArrowKeys
+from phonemeanalyser.desktop.widgets.keyboard import KEYS, ArrowKeys
 from phonemeanalyser.desktop.widgets.lanes import BoundaryDrag, Lane, TimeAxis, wave_pixels
-from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.dsp.waveform_peaks import Peaks

@@ -11,8 +11,7 @@ from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, letters_on
-from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.theme import AT_RIGHT, CENTRED, PHONEME_COLOURS, Theme, draw_text, letters_on
 from phonemeanalyser.desktop.widgets.lanes import Lane, lane_of_frames, names_in_lanes
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeanalyser.desktop.widgets.timeline import Chapter, Timeline, TimelineView

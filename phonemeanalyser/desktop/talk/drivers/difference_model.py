@@ -7,7 +7,7 @@ from functools import partial
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.session.export_kinds import FaceInUse
+from phonemeanalyser.desktop.session.exports import FaceInUse
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET

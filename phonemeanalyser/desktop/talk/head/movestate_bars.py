@@ -8,9 +8,8 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.talk.model import TalkModel
-from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.theme import Theme, set_size
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.mouth.blendshape_names import EYELIDS
 

@@ -12,11 +12,10 @@ from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.painting import AT_LEFT, CENTRED, draw_text
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.talk.keys.key_model import KeyModel
 from phonemeanalyser.desktop.talk.words.text_model import TextModel
-from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.theme import AT_LEFT, CENTRED, Theme, draw_text
 from phonemeanalyser.desktop.widgets.lanes import TimeAxis
 from phonemeanalyser.desktop.widgets.plot import polyline_of
 from phonemeengine.arrays import Float64Array

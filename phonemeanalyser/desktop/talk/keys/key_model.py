@@ -9,11 +9,11 @@ import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.program_folder import outside_program
-from phonemeanalyser.desktop.session.export_kinds import FaceInUse
+from phonemeanalyser.desktop.session.exports import FaceInUse
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.session.undo import UndoableEdit
+from phonemeanalyser.desktop.settings import outside_program
 from phonemeanalyser.desktop.talk.drivers.movement import movement_of, recording_of
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.errors import EngineError

@@ -10,10 +10,9 @@ from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.talk.head.face_model import HEADS
 from phonemeanalyser.desktop.talk.model import TalkModel
-from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme, set_size
 from phonemeanalyser.desktop.widgets.builders import (
     ElidedLabel,
     choice,

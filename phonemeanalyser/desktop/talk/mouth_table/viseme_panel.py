@@ -10,12 +10,11 @@ from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.talk.model import TalkModel
-from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.theme import Theme, set_size
 from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.fields import PercentSlider
-from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
+from phonemeanalyser.desktop.widgets.keyboard import KEYS
 from phonemeengine.mouth.movestate import Mode
 from phonemeengine.mouth.table import MouthTable
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.program_folder import outside_program
+from phonemeanalyser.desktop.settings import outside_program
 from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice
 from phonemeengine.alignment.align import align_analyses, align_word
 from phonemeengine.analyser import Analysis, analyse_file

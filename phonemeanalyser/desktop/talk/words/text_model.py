@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.session.export_kinds import TextToSay
+from phonemeanalyser.desktop.session.exports import TextToSay
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind, SpokenSource
 from phonemeanalyser.desktop.session.time_view import TimeSpan, TimeView

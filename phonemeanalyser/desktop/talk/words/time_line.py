@@ -10,12 +10,11 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.painting import CENTRED, draw_text
 from phonemeanalyser.desktop.session.time_view import TimeSpan, TimeView
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.words import spoken_lanes
 from phonemeanalyser.desktop.talk.words.felt_text import USUAL
-from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.theme import CENTRED, Theme, draw_text
 from phonemeanalyser.desktop.widgets.lanes import (
     GRAB,
     TIME_HEIGHT,

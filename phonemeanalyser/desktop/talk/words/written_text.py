@@ -9,7 +9,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr_noop
-from phonemeanalyser.desktop.program_folder import in_program
+from phonemeanalyser.desktop.settings import in_program
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.text.pronunciation import MARKS
 from phonemeengine.text.script import guess_language
