@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from PIL import Image
 
 from phonemeanalyser.rendering import RenderingError
-from phonemeanalyser.rendering.offscreen import OffscreenRenderer, offscreen_context
+from phonemeanalyser.rendering.renderer import OffscreenRenderer, offscreen_context
 from phonemeengine.mouth.mesh import Material, Mesh, Texture, mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from tqdm import tqdm
 
-from phonemeanalyser.reports.batch_report import write_batch_report
+from phonemeanalyser.reports.page import write_batch_report
 from phonemeengine import EngineError, LabelledUtterance, Preset, for_files, load_preset
 from phonemeengine.audio.files import sounds_under
 from phonemeengine.batch.runner import BatchOptions, BatchProgress, run_batch

@@ -7,8 +7,8 @@ from argparse import RawDescriptionHelpFormatter
 from collections.abc import Sequence
 from types import ModuleType
 
-from phonemeanalyser.cli.extras import module_that_draws
 from phonemeanalyser.cli.parser import CommandParser, add_log
+from phonemeanalyser.cli.requirements import module_that_draws
 from phonemeanalyser.logs import logged_to
 from phonemeengine import EngineError
 from phonemeengine.errors import OptionError, meant_by

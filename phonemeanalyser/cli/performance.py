@@ -10,9 +10,9 @@ from typing import TypeAlias
 from tqdm import tqdm
 
 from phonemeanalyser.cli.arguments import add_clip, add_examples, add_options
-from phonemeanalyser.cli.extras import module_that_draws
 from phonemeanalyser.cli.jobs import say_note
 from phonemeanalyser.cli.parser import file_place, number, number_in, whole_in
+from phonemeanalyser.cli.requirements import module_that_draws
 from phonemeengine import PerformanceTable, Progress, TextError, Voice, build_table, make_corpus, speak
 from phonemeengine.errors import ModelError
 from phonemeengine.mouth.style import save_style

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import phonemeanalyser
 from phonemeanalyser.cli.arguments import add_options
-from phonemeanalyser.cli.display import load_desktop
 from phonemeanalyser.cli.parser import file_place, number_in, reading
+from phonemeanalyser.cli.requirements import load_desktop
 from phonemeengine.conversion.option import PictureSize
 
 EXAMPLES = (

@@ -7,9 +7,9 @@ from contextlib import AbstractAsyncContextManager
 from dataclasses import fields
 from pathlib import Path
 
-from phonemeanalyser.cli.extras import module_that_serves
 from phonemeanalyser.cli.listen import ended_by_signals
 from phonemeanalyser.cli.parser import number_in, whole_in
+from phonemeanalyser.cli.requirements import module_that_serves
 from phonemeanalyser.server.access import Access, token_in
 from phonemeanalyser.server.activity import Activity, Happening, Report, no_report
 from phonemeanalyser.server.limits import LIMITS, USUAL_HOST, USUAL_PORT, ServerLimits

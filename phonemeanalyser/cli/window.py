@@ -6,8 +6,8 @@ import os
 import sys
 from pathlib import Path
 
-from phonemeanalyser.cli.display import load_desktop, why_no_window
 from phonemeanalyser.cli.parser import add_declared
+from phonemeanalyser.cli.requirements import load_desktop, why_no_window
 from phonemeanalyser.licences import licences_text
 from phonemeengine import __version__
 from phonemeengine.conversion.option import RECOGNITION

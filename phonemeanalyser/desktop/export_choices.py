@@ -12,8 +12,8 @@ from phonemeanalyser.desktop.engine_words import table_title
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.exports import CLIPS, EXPORT_KINDS, ExportOrder, FaceInUse
 from phonemeanalyser.desktop.settings import read
+from phonemeanalyser.desktop.talk import mouth_table
 from phonemeanalyser.desktop.talk.head.face_model import HEADS
-from phonemeanalyser.desktop.talk.mouth_table import choices_panel
 from phonemeanalyser.desktop.widgets.builders import choice, named
 from phonemeanalyser.desktop.widgets.fields import NumberField
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
@@ -221,7 +221,7 @@ class ExportChoices(QFormLayout):
             meshes.insert(0, (tr(ON_TALK_WORDS).format(name=Path(talk.mesh).name), ON_TALK))
         self.mesh = choice(meshes)
         self.expression = choice([(tr("Same as Talk"), ON_TALK), (tr("No expression"), None)])
-        self.detail = choice((tr(words), detail) for detail, words in choices_panel.DETAILS.items())
+        self.detail = choice((tr(words), detail) for detail, words in mouth_table.DETAILS.items())
         self.detail.setCurrentIndex(self.detail.findData(talk.idle.detail))
         self.rate = _number("fps", unit=" " + tr("frames/s"), decimals=2, below=1.0)
         self.minimum = _number("minimum", unit=" s", decimals=3, step=0.01)
@@ -264,7 +264,7 @@ class ExportChoices(QFormLayout):
                 ),
             ),
             (self.driver, tr("Driven by"), tr("What moves the mouth")),
-            (self.table, tr("Mouth table"), tr(choices_panel.TABLE_TIP)),
+            (self.table, tr("Mouth table"), tr(mouth_table.TABLE_TIP)),
             (self.mesh, tr("Face"), tr("Face mesh of the exported files")),
             (self.expression, tr("Expression"), tr("Expression that the face shows along with the speech")),
             (self.rate, tr("Frame rate"), tr("Frames per second of the exported animation")),
@@ -277,7 +277,7 @@ class ExportChoices(QFormLayout):
                 ),
             ),
             (self.anticipation, tr("Mouth lead"), tr("Time by which the mouth moves before the speech is audible")),
-            (self.detail, tr("Level of detail"), tr(choices_panel.DETAIL_TIP)),
+            (self.detail, tr("Level of detail"), tr(mouth_table.DETAIL_TIP)),
             (
                 self.seed,
                 tr("Random seed"),
@@ -287,8 +287,8 @@ class ExportChoices(QFormLayout):
             (self.height, tr("Height"), tr("Height of the picture, pixels")),
             (self.view, tr("View"), tr("How much is in the picture")),
             (self.ground, tr("Background"), tr("What is behind the head; videos cannot be transparent")),
-            (self.blinks, "", tr(choices_panel.BLINKS_TIP)),
-            (self.head, "", tr(choices_panel.MOTION_TIP)),
+            (self.blinks, "", tr(mouth_table.BLINKS_TIP)),
+            (self.head, "", tr(mouth_table.MOTION_TIP)),
             (self.keys, "", tr("Keys edited on the Talk page, or saved beside a recording as NAME.keys.toml")),
         )
         for widget, words, tip in rows:

@@ -12,8 +12,7 @@ from PIL import Image, ImageDraw, ImageFont
 from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.clip_options import USUAL_CLIP, ClipOptions
-from phonemeanalyser.rendering.offscreen import OffscreenRenderer
-from phonemeanalyser.rendering.renderer import colour_of
+from phonemeanalyser.rendering.renderer import OffscreenRenderer, colour_of
 from phonemeanalyser.rendering.surface import subdivided
 from phonemeanalyser.rendering.video import SoundTrack, why_no_film, why_no_gif, write_film, write_gif, write_pictures
 from phonemeengine import (

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from phonemeanalyser.colours import DARK, LIGHT, free_curve_colour
-from phonemeanalyser.reports.templates import rendered
+from phonemeanalyser.reports.page import rendered
 from phonemeengine.inspection.averaged_spectrum import AveragedSpectrum
 
 WIDTH, HEIGHT = 720, 300

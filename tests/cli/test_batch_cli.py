@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from phonemeanalyser.cli.main import main
-from phonemeanalyser.reports.batch_report import PAGE, TABLE
+from phonemeanalyser.reports.page import PAGE, TABLE
 from phonemeengine.batch.record import RECORD
 from tests.tables import Capsys, contents, outputs_in
 

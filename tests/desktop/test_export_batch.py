@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.export_dialog import ExportDialog
 from phonemeanalyser.desktop.session.exports import ExportState
-from phonemeanalyser.reports.batch_report import TABLE
+from phonemeanalyser.reports.page import TABLE
 from phonemeengine import Channel, convert, convert_all, load_preset
 from tests.desktop.hands import CARDS, LEFT
 from tests.tables import contents

@@ -9,9 +9,8 @@ from scipy.ndimage import binary_dilation, binary_erosion, distance_transform_ed
 
 from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering.camera import Camera, Light
-from phonemeanalyser.rendering.materials import draw_calls_of
-from phonemeanalyser.rendering.offscreen import OffscreenRenderer
-from phonemeanalyser.rendering.textures import LARGEST, MOST_PIXELS, with_pixels
+from phonemeanalyser.rendering.materials import LARGEST, MOST_PIXELS, draw_calls_of, with_pixels
+from phonemeanalyser.rendering.renderer import OffscreenRenderer
 from phonemeengine.mouth.mesh import AlphaMode, Material, Mesh, Texture, ToonShading
 from phonemeengine.mouth.morph_mesh import MorphMesh
 from tests.graphics import DARK, LIGHT, Picture, ball, context, offscreen, panel, seen, texture_of

@@ -12,8 +12,7 @@ from scipy.ndimage import binary_fill_holes
 
 from phonemeanalyser.rendering import RenderingError, draws_in_software
 from phonemeanalyser.rendering.camera import Camera, Light
-from phonemeanalyser.rendering.offscreen import OffscreenRenderer, offscreen_context
-from phonemeanalyser.rendering.renderer import INSIDE, HeadRenderer, colour_of
+from phonemeanalyser.rendering.renderer import INSIDE, HeadRenderer, OffscreenRenderer, colour_of, offscreen_context
 from phonemeanalyser.rendering.surface import subdivided
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import EngineError

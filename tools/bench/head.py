@@ -12,8 +12,7 @@ from PIL import Image
 
 from phonemeanalyser.desktop.talk.head.head_surface import MOST_QUICK_PIXELS
 from phonemeanalyser.rendering.camera import Camera
-from phonemeanalyser.rendering.offscreen import OffscreenRenderer, offscreen_context
-from phonemeanalyser.rendering.renderer import HeadRenderer
+from phonemeanalyser.rendering.renderer import HeadRenderer, OffscreenRenderer, offscreen_context
 from phonemeanalyser.rendering.surface import subdivided
 from phonemeengine.mouth.mesh import AlphaMode, Material, Texture
 from phonemeengine.mouth.morph_mesh import MorphMesh, load_head

@@ -13,8 +13,7 @@ from PIL import Image, ImageDraw, ImageFont
 from phonemeanalyser.colours import DARK, LIGHT, PHONEME_COLOURS
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.clip import AnimationPlayer, animation_by_rules
-from phonemeanalyser.rendering.offscreen import OffscreenRenderer
-from phonemeanalyser.rendering.renderer import colour_of
+from phonemeanalyser.rendering.renderer import OffscreenRenderer, colour_of
 from phonemeanalyser.rendering.surface import subdivided
 from phonemeengine import ExportOptions, IdleMotion, SoundReader, load_head, load_preset
 from phonemeengine.analyser import analyse_file

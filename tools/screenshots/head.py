@@ -13,8 +13,7 @@ from PIL import Image
 from phonemeanalyser.colours import DARK, LIGHT, Theme
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.clip import SideBySide
-from phonemeanalyser.rendering.offscreen import OffscreenRenderer
-from phonemeanalyser.rendering.renderer import colour_of
+from phonemeanalyser.rendering.renderer import OffscreenRenderer, colour_of
 from phonemeanalyser.rendering.surface import subdivided
 from phonemeengine.arrays import UInt8Array
 from phonemeengine.mouth.blendshape_names import ARKIT

@@ -14,7 +14,7 @@ from PySide6.QtCore import QObject, Signal
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.rendering.clip_options import USUAL_CLIP, ClipOptions
-from phonemeanalyser.reports.batch_report import write_batch_report
+from phonemeanalyser.reports.page import write_batch_report
 from phonemeengine.audio.files import SoundReader, sounds_under
 from phonemeengine.batch.runner import BatchOptions, BatchProgress, run_batch
 from phonemeengine.batch.runner import in_the_way as jobs_in_the_way

@@ -16,7 +16,7 @@ from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET
 from phonemeanalyser.desktop.talk.head.head_view import HeadView
 from phonemeanalyser.desktop.talk.head.mapping_dialog import FaceMappingDialog
 from phonemeanalyser.desktop.talk.model import TalkModel
-from phonemeanalyser.desktop.talk.mouth_table.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
+from phonemeanalyser.desktop.talk.mouth_table import FASTEST_PERCENT, SLOWEST_PERCENT
 from phonemeanalyser.desktop.talk.page import TalkPage
 from phonemeanalyser.desktop.tasks import tried
 from phonemeanalyser.desktop.widgets.builders import answer_of, input_dialog

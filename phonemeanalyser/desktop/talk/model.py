@@ -13,8 +13,7 @@ from phonemeanalyser.desktop.session.exports import FaceInUse
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.drivers.difference_model import DifferenceModel
-from phonemeanalyser.desktop.talk.expression.expression_model import ExpressionModel
-from phonemeanalyser.desktop.talk.expression.osc_model import OscModel
+from phonemeanalyser.desktop.talk.expression.expression_model import ExpressionModel, OscModel
 from phonemeanalyser.desktop.talk.expression.style_model import StyleModel
 from phonemeanalyser.desktop.talk.head.face_model import FaceModel, MovingHead
 from phonemeanalyser.desktop.talk.keys.key_model import KeyModel

@@ -14,12 +14,11 @@ from phonemeanalyser.desktop.talk.head.head_view import HINT, HeadPair, HeadView
 from phonemeanalyser.desktop.talk.head.movestate_bars import MovestateBars
 from phonemeanalyser.desktop.talk.keys.key_panel import KeyPanel
 from phonemeanalyser.desktop.talk.model import TalkModel
-from phonemeanalyser.desktop.talk.mouth_table.choices_panel import ChoicesPanel
-from phonemeanalyser.desktop.talk.mouth_table.viseme_panel import VisemePanel
+from phonemeanalyser.desktop.talk.mouth_table import ChoicesPanel, VisemePanel
 from phonemeanalyser.desktop.talk.pictures import PICTURE_RATES
 from phonemeanalyser.desktop.talk.tour import Stop, Tour
-from phonemeanalyser.desktop.talk.words.lanes_panel import LanesPanel
 from phonemeanalyser.desktop.talk.words.text_panel import TextPanel
+from phonemeanalyser.desktop.talk.words.time_line import LanesPanel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme, format_clock
 from phonemeanalyser.desktop.widgets.builders import (
     ScrolledDown,

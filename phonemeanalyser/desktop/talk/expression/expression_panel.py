@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QLineEdit, QProgressBar, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.talk.expression.osc_model import OscConnection, OscModel
+from phonemeanalyser.desktop.talk.expression.expression_model import OscConnection, OscModel
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets import builders

@@ -192,7 +192,7 @@ class FaceModel(QObject):
 
 
 def _loaded(files: FaceFiles) -> MorphMesh:
-    from phonemeanalyser.rendering.textures import with_pixels  # noqa: PLC0415 - no window waits for it
+    from phonemeanalyser.rendering.materials import with_pixels  # noqa: PLC0415 - no window waits for it
 
     face = files.load()
     if not face.states:

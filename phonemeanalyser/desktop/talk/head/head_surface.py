@@ -83,8 +83,7 @@ class _PictureTaker(Protocol):
 
 def load_rendering() -> tuple[Callable[[MorphMesh], _Renderer], Callable[[MorphMesh], _PictureTaker]]:
     """Return what makes a renderer in the OpenGL context that is current, and what makes one without a window."""
-    from phonemeanalyser.rendering.offscreen import OffscreenRenderer, window_context  # noqa: PLC0415
-    from phonemeanalyser.rendering.renderer import HeadRenderer  # noqa: PLC0415
+    from phonemeanalyser.rendering.renderer import HeadRenderer, OffscreenRenderer, window_context  # noqa: PLC0415
 
     return lambda morph_mesh: HeadRenderer(window_context(), morph_mesh), OffscreenRenderer
 

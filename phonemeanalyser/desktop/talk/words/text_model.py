@@ -23,9 +23,8 @@ from phonemeanalyser.desktop.talk.words.scripts import (
     words_in,
     write_speech,
 )
-from phonemeanalyser.desktop.talk.words.sound_words import KnownWords, RunningSpeech, SoundWords
+from phonemeanalyser.desktop.talk.words.sound_words import KnownWords, RunningSpeech, SoundWords, WordEdits
 from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice, VoiceModel
-from phonemeanalyser.desktop.talk.words.word_edits import WordEdits
 from phonemeanalyser.desktop.talk.words.written_text import ALIGN_AGAIN, SPEAK_AGAIN, WrittenText, said_in, same_words
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.alignment.align import is_other_text

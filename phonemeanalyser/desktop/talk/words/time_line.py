@@ -1,4 +1,4 @@
-"""The timeline below the head: the waveform, what is said when, and the time; words are played and moved there."""
+"""The timeline of what is said, and the bar above it: what is known, which words fit badly, how much is seen."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -6,27 +6,16 @@ from typing import Any
 
 from PySide6 import QtGui
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
-from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+from PySide6.QtWidgets import QMenu, QSizePolicy, QToolTip, QWidget
 from typing_extensions import override
 
-from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.language import tr, tr_count, tr_noop
 from phonemeanalyser.desktop.session.time_view import TimeSpan, TimeView
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.words import spoken_lanes
 from phonemeanalyser.desktop.talk.words.felt_text import USUAL
 from phonemeanalyser.desktop.theme import CENTRED, Theme, draw_text
-from phonemeanalyser.desktop.widgets.lanes import (
-    GRAB,
-    TIME_HEIGHT,
-    BoundaryDrag,
-    LabelEditor,
-    Lane,
-    TimeAxis,
-    paint_lane,
-    paint_name,
-    paint_times,
-    paint_wave,
-)
+from phonemeanalyser.desktop.widgets import builders, lanes
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.labels.utterance import LabelUnit
 from phonemeengine.performance.driver import UsedUnit
@@ -72,12 +61,12 @@ class SpeechTimeline(QWidget):
         super().__init__()
         self._talking, self._texts, self._session = talking, talking.text, talking.session
         self._theme = theme
-        self.lanes: tuple[Lane, ...] = ()
+        self.lanes: tuple[lanes.Lane, ...] = ()
         self._units: list[UsedUnit] = []
         self._shown: tuple[object, ...] = ()
         self._picture: QtGui.QPixmap | None = None
         self._playhead = 0.0
-        self._drag = BoundaryDrag()
+        self._drag = lanes.BoundaryDrag()
         self._pressed: tuple[QPointF, TimeSpan] | None = None
         self.menu = PlotMenu(self, "what is said", lambda _at: table_of(self._columns()))
         edits = self._texts.edits
@@ -90,7 +79,7 @@ class SpeechTimeline(QWidget):
         self.setMouseTracking(True)
         self.setAccessibleName(tr("Timeline: words and phones over time"))
         self._stale = ""
-        self.editor = LabelEditor(self)
+        self.editor = lanes.LabelEditor(self)
         self._felt, self._writes = talking.felt_text, partial(self._texts.edits.name)
         self.editor.typed.connect(self._take_typed)
         self._felt.changed.connect(self.show_words)
@@ -111,17 +100,17 @@ class SpeechTimeline(QWidget):
         if not self._shown or any(one is not other for one, other in zip(known, self._shown, strict=True)):
             self._shown = known
             self.setToolTip(tr(EDITABLE if texts.editable else FIXED))
-            lanes = [Lane(tr(name)) for name in spoken_lanes.NAMES]
+            shown = [lanes.Lane(tr(name)) for name in spoken_lanes.NAMES]
             if texts.utterance is not None:
-                lanes = spoken_lanes.lanes_of(texts.utterance, letters, movable=texts.editable)
+                shown = spoken_lanes.lanes_of(texts.utterance, letters, movable=texts.editable)
             self._units = spoken_lanes.in_a_row(units)
             felt = (
                 [spoken_lanes.lane_of_feelings(self._felt.spans)]
                 if self._felt.spans or texts.utterance is not None
                 else []
             )
-            self.lanes = (*lanes, *felt, *([spoken_lanes.lane_of_units(self._units)] if units else ()))
-            self.setMinimumHeight(LEAST_WAVE + len(self.lanes) * (HEIGHT + GAP) + TIME_HEIGHT + 2 * GAP)
+            self.lanes = (*shown, *felt, *([spoken_lanes.lane_of_units(self._units)] if units else ()))
+            self.setMinimumHeight(LEAST_WAVE + len(self.lanes) * (HEIGHT + GAP) + lanes.TIME_HEIGHT + 2 * GAP)
             self._touch()
         self._drag.release()
         self._show_stale()
@@ -148,23 +137,23 @@ class SpeechTimeline(QWidget):
         return self._texts.view
 
     @property
-    def axis(self) -> TimeAxis:
+    def axis(self) -> lanes.TimeAxis:
         """Where times lie."""
         seen = self.view.seen
-        return TimeAxis(LEFT, max(1, self.width() - LEFT), seen.start, max(seen.seconds, 1e-9))
+        return lanes.TimeAxis(LEFT, max(1, self.width() - LEFT), seen.start, max(seen.seconds, 1e-9))
 
     def x_of(self, seconds: float) -> float:
         """Return the pixel of a time."""
         return self.axis.x_of(seconds)
 
-    def rows(self) -> list[tuple[QRectF, Lane]]:
+    def rows(self) -> list[tuple[QRectF, lanes.Lane]]:
         """Return where the lanes lie."""
         top = self._wave_row().bottom() + GAP
         width = max(1, self.width() - LEFT)
         return [(QRectF(LEFT, top + k * (HEIGHT + GAP), width, HEIGHT), lane) for k, lane in enumerate(self.lanes)]
 
     def _wave_row(self) -> QRectF:
-        height = self.height() - len(self.lanes) * (HEIGHT + GAP) - TIME_HEIGHT - 2 * GAP
+        height = self.height() - len(self.lanes) * (HEIGHT + GAP) - lanes.TIME_HEIGHT - 2 * GAP
         return QRectF(LEFT, 0, max(1, self.width() - LEFT), max(LEAST_WAVE, height))
 
     # -- painting -----------------------------------------------------------------------------------------
@@ -178,7 +167,7 @@ class SpeechTimeline(QWidget):
         painter.drawPixmap(0, 0, self._picture)
         if self.view.duration <= 0:
             return
-        bottom = self.height() - TIME_HEIGHT
+        bottom = self.height() - lanes.TIME_HEIGHT
         x = self.x_of(self._playhead)
         if LEFT <= x <= self.width():
             painter.fillRect(QRectF(x - 0.5, 0, 1.5, bottom), QtGui.QColor(self._theme.accent))
@@ -207,10 +196,10 @@ class SpeechTimeline(QWidget):
         axis = self.axis
         peaks = self._texts.outline_in(TimeSpan(axis.start, axis.end), round(axis.width))
         if peaks is not None:
-            paint_wave(painter, self._wave_row(), peaks, self._theme)
+            lanes.paint_wave(painter, self._wave_row(), peaks, self._theme)
         for row, lane in self.rows():
-            paint_name(painter, row, lane.name, self._theme)
-            paint_lane(painter, row, lane, axis, self._theme)
+            lanes.paint_name(painter, row, lane.name, self._theme)
+            lanes.paint_lane(painter, row, lane, axis, self._theme)
             if self._texts.edits.chosen is not None and row == self._chosen_row():
                 self._paint_chosen(painter, row, lane)
             if self._stale:
@@ -218,7 +207,7 @@ class SpeechTimeline(QWidget):
                 ground.setAlphaF(STALE)
                 painter.fillRect(row, ground)
                 painter.fillRect(row, QtGui.QBrush(QtGui.QColor(self._theme.faint), Qt.BrushStyle.BDiagPattern))
-        paint_times(painter, self.height() - TIME_HEIGHT, axis, self._theme, self.width())
+        lanes.paint_times(painter, self.height() - lanes.TIME_HEIGHT, axis, self._theme, self.width())
 
     def _chosen_row(self) -> QRectF:
         """Return where the lane of what is chosen lies."""
@@ -226,7 +215,7 @@ class SpeechTimeline(QWidget):
         number = next(number for number, unit in EDITED.items() if unit is self._texts.edits.chosen[0])
         return self.rows()[number][0]
 
-    def _paint_chosen(self, painter: QtGui.QPainter, row: QRectF, lane: Lane) -> None:
+    def _paint_chosen(self, painter: QtGui.QPainter, row: QRectF, lane: lanes.Lane) -> None:
         """Frame the word or phone that is chosen."""
         assert self._texts.edits.chosen is not None
         k = self._texts.edits.chosen[1]
@@ -270,7 +259,7 @@ class SpeechTimeline(QWidget):
     def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         """Take a boundary in the hand, else what is seen, to scroll it."""
         place = event.position()
-        if event.button() != Qt.MouseButton.LeftButton or place.x() < LEFT - GRAB:
+        if event.button() != Qt.MouseButton.LeftButton or place.x() < LEFT - lanes.GRAB:
             return
         if self._drag.press(self.rows(), self.axis, place, self.view.duration) is None:
             self._pressed = place, self.view.seen
@@ -423,3 +412,82 @@ class SpeechTimeline(QWidget):
             "phoneme": [phone.phoneme.label for _, phone in rows],
             "score": ["" if phone.score is None else phone.score for _, phone in rows],
         }
+
+
+MOST_LISTED = 30
+"""Words of those that fit badly that are listed at once."""
+
+
+class LanesPanel(QWidget):
+    """The timeline and its bar.
+
+    Attributes
+    ----------
+    line : the timeline.
+    summary : what is known of the sound.
+    poor : lists the words that fit badly; `previous` and `next` go to the one before and after.
+    whole : shows all of the sound.
+    """
+
+    def __init__(self, talking: TalkModel, theme: Theme) -> None:
+        super().__init__()
+        self._texts, self._theme = talking.text, theme
+        self.line = SpeechTimeline(talking, theme)
+        self.summary = builders.ElidedLabel()
+        self._list = QMenu(self)
+        self.previous = builders.spoken_button(
+            "◂", tr("Go to the previous poor match"), partial(self._texts.edits.show_poor, -1)
+        )
+        self.poor = builders.spoken_button("", tr("Words that fit the recording badly; choose one to play it"))
+        self.next = builders.spoken_button(
+            "▸", tr("Go to the next poor match"), partial(self._texts.edits.show_poor, 1)
+        )
+        self.whole = builders.spoken_button(tr("Fit All"), tr("Zoom to the whole length"), self._show_whole)
+        builders.open_without_arrow(self.poor, self._list)
+        bar = builders.row((self.summary, 1), self.previous, self.poor, self.next, self.whole, spacing=4)
+        bar.setContentsMargins(8, 0, 8, 0)
+        builders.column(bar, (self.line, 1), on=self, margins=(0, 2, 0, 0), spacing=2)
+        self._list.aboutToShow.connect(self._fill_list)
+        for signal in (self._texts.changed, self._texts.text_changed):
+            signal.connect(self._show_state)
+        for view in (talking.session.view, self._texts.speech_view):
+            view.moved.connect(self._allow_whole)
+        self._show_state()
+
+    def refresh(self) -> None:
+        """Go along with what is playing."""
+        self.line.refresh()
+
+    def _show_whole(self) -> None:
+        self._texts.view.show_all()
+
+    def _show_state(self) -> None:
+        self.summary.setText(self._summary())
+        self.summary.setStyleSheet(f"color: {self._theme.bad if self._texts.stale else self._theme.text}")
+        n = len(self._texts.edits.poor)
+        self.poor.setText(tr_count("{n} poor match", "{n} poor matches", n) + " ▾")
+        for button in (self.previous, self.poor, self.next):
+            button.setVisible(n > 0)
+        self._allow_whole()
+
+    def _allow_whole(self) -> None:
+        self.whole.setEnabled(self._texts.view.duration > 0)
+
+    def _summary(self) -> str:
+        """Return what is known, in words."""
+        utterance = self._texts.utterance
+        if utterance is None:
+            return ""
+        if self._texts.stale:
+            return self._texts.stale
+        said = tr_count("{n} word", "{n} words", len(utterance.words))
+        return said if self._texts.editable else tr("{said}; boundaries fixed by the voice").format(said=said)
+
+    def _fill_list(self) -> None:
+        self._list.clear()
+        poor = self._texts.edits.poor
+        for word in poor[:MOST_LISTED]:
+            words = tr("{seconds:.2f} s: {word}").format(seconds=word.start, word=word.text).replace("&", "&&")
+            self._list.addAction(words, partial(self._texts.edits.show, word))
+        if len(poor) > MOST_LISTED:
+            self._list.addAction(tr("{n} more").format(n=len(poor) - MOST_LISTED)).setEnabled(False)

@@ -1,1 +1,0 @@
-"""The mouth table: shapes, times and visemes."""
