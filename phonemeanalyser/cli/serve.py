@@ -10,9 +10,8 @@ from pathlib import Path
 from phonemeanalyser.cli.listen import ended_by_signals
 from phonemeanalyser.cli.parser import number_in, whole_in
 from phonemeanalyser.cli.requirements import module_that_serves
-from phonemeanalyser.server.access import Access, token_in
+from phonemeanalyser.server.access import LIMITS, USUAL_HOST, USUAL_PORT, Access, ServerLimits, token_in
 from phonemeanalyser.server.activity import Activity, Happening, Report, no_report
-from phonemeanalyser.server.limits import LIMITS, USUAL_HOST, USUAL_PORT, ServerLimits
 from phonemeengine.conversion.options import OPTIONS
 from phonemeengine.execution import end_with_input
 from phonemeengine.presets.files import DEFAULT_PRESET

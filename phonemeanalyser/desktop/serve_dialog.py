@@ -18,9 +18,8 @@ from phonemeanalyser.desktop.tasks import tried
 from phonemeanalyser.desktop.widgets.builders import CLOSE, choice, dialog_buttons, heading, label, named, row
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeanalyser.desktop.widgets.preset_picker import PresetChoice, Sections
-from phonemeanalyser.server.access import TOKEN, is_loopback
+from phonemeanalyser.server.access import TOKEN, USUAL_HOST, USUAL_PORT, is_loopback
 from phonemeanalyser.server.activity import Activity, Happening
-from phonemeanalyser.server.limits import USUAL_HOST, USUAL_PORT
 from phonemeengine.presets.preset import Preset
 
 WIDTH, LOG_HEIGHT = 560, 150

@@ -20,19 +20,17 @@ from phonemeanalyser.desktop.analyse.status_line import StatusLine
 from phonemeanalyser.desktop.analyse.transport.transport import Transport
 from phonemeanalyser.desktop.dialogs import Dialogs
 from phonemeanalyser.desktop.docks import Docks
+from phonemeanalyser.desktop.help import LicencesDialog, ManualDialog, ShortcutsDialog, WhatIsThis
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.manual import LicencesDialog, ManualDialog
 from phonemeanalyser.desktop.menus import Command, Menus
 from phonemeanalyser.desktop.redraw import RedrawLoop
 from phonemeanalyser.desktop.rule_dialogs import RuleDialogs
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.selection import Selection
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.state import WindowState
 from phonemeanalyser.desktop.theme import Theme, style_sheet
 from phonemeanalyser.desktop.welcome import WelcomeCards
-from phonemeanalyser.desktop.what_is_this import WhatIsThis
 from phonemeanalyser.desktop.widgets.banner import Banner
 from phonemeanalyser.desktop.widgets.builders import column
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, FileDrops

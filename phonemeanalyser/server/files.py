@@ -24,8 +24,8 @@ from typing import TypeVar
 
 from aiohttp import BodyPartReader, web
 
+from phonemeanalyser.server.access import FAILED, KILOBYTE, MEGABYTE, RefusedError, ServerLimits
 from phonemeanalyser.server.file_process import CODE, CRASHED, NO_MEMORY, REFUSED
-from phonemeanalyser.server.limits import FAILED, KILOBYTE, MEGABYTE, RefusedError, ServerLimits
 from phonemeanalyser.server.repertoire import Repertoire
 from phonemeengine import FORMATS, EngineError
 from phonemeengine.batch.work import Job

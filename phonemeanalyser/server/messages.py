@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from phonemeanalyser.server.limits import RefusedError
+from phonemeanalyser.server.access import RefusedError
 from phonemeanalyser.server.repertoire import Repertoire
 from phonemeengine import GrownWords, MouthTable, Phoneme, Preset, Word
 from phonemeengine.arrays import Float32Array

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from phonemeanalyser.server.limits import KILOBYTE, RefusedError, ServerLimits
+from phonemeanalyser.server.access import KILOBYTE, RefusedError, ServerLimits
 from phonemeengine import EngineError, MouthTable, Preset, load_preset, load_table
 from phonemeengine.mouth.table import shipped_tables, table_of
 from phonemeengine.presets.document import preset_from_toml

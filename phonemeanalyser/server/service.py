@@ -17,10 +17,20 @@ from aiohttp import web
 from typing_extensions import override
 
 from phonemeanalyser.server import messages
-from phonemeanalyser.server.access import PROTOCOL, Access, WrongTokens, tokens_of
+from phonemeanalyser.server.access import (
+    FAILED,
+    MEGABYTE,
+    PROTOCOL,
+    USUAL_HOST,
+    USUAL_PORT,
+    Access,
+    RefusedError,
+    ServerLimits,
+    WrongTokens,
+    tokens_of,
+)
 from phonemeanalyser.server.activity import Activity, Happening, Report, no_report
 from phonemeanalyser.server.files import FileExporter
-from phonemeanalyser.server.limits import FAILED, MEGABYTE, USUAL_HOST, USUAL_PORT, RefusedError, ServerLimits
 from phonemeanalyser.server.repertoire import Repertoire
 from phonemeanalyser.server.session import StreamSession
 from phonemeanalyser.server.turns import Turns

@@ -12,7 +12,7 @@ import numpy as np
 from aiohttp import WSMsgType, web
 
 from phonemeanalyser.server import messages
-from phonemeanalyser.server.limits import AHEAD, FAILED, PER_MESSAGE, RefusedError, ServerLimits
+from phonemeanalyser.server.access import AHEAD, FAILED, PER_MESSAGE, RefusedError, ServerLimits
 from phonemeanalyser.server.repertoire import Repertoire
 from phonemeanalyser.server.turns import Turns
 from phonemeengine import EngineError, GrownWords, ScriptWord

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from typing import Protocol, TypeVar
 
-from phonemeanalyser.server.limits import FAILED
+from phonemeanalyser.server.access import FAILED
 from phonemeengine import EngineError, GrownWords
 from phonemeengine.arrays import Float32Array
 from phonemeengine.live.incoming_speech import LOOK, IncomingSpeech, RecognisedPiece, recognise_together

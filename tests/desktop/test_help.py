@@ -6,10 +6,21 @@ from PySide6.QtGui import QHelpEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWhatsThis, QWidget
 
-from phonemeanalyser.desktop import manual
+from phonemeanalyser.desktop.help import (
+    PAGES,
+    PASSAGES,
+    ManualDialog,
+    docs_folder,
+    explanation_of,
+    heading_at,
+    page_text,
+    passage,
+    passage_for,
+    slug_of,
+    title_of,
+)
 from phonemeanalyser.desktop.language import use_language
 from phonemeanalyser.desktop.session.sources import SourceKind
-from phonemeanalyser.desktop.what_is_this import PASSAGES, explanation_of, passage_for
 from tests.conftest import ROOT
 from tests.desktop.accessible import controls_of
 from tests.desktop.hands import CARDS, LEFT, shown
@@ -21,14 +32,14 @@ def window(desktop, qtbot):
 
 
 def test_the_manual_has_a_passage_for_each_part_of_the_window():
-    assert [kind for kind, place in PASSAGES.items() if len(manual.passage(*place)) <= 40] == []
+    assert [kind for kind, place in PASSAGES.items() if len(passage(*place)) <= 40] == []
 
 
 def test_the_pages_are_those_of_the_documentation():
-    assert manual.docs_folder() == ROOT / "docs"
-    for page in manual.PAGES:
-        assert manual.title_of(page)
-        assert "](../screenshots" not in manual.page_text(page)
+    assert docs_folder() == ROOT / "docs"
+    for page in PAGES:
+        assert title_of(page)
+        assert "](../screenshots" not in page_text(page)
 
 
 def test_everything_that_one_can_use_or_read_explains_itself(window):
@@ -51,14 +62,14 @@ def test_a_click_asks_and_the_answer_leads_into_the_manual(window):
     assert 'href="manual.md"' in text
 
 
-def dialogs(window) -> list[manual.ManualDialog]:
-    return [w for w in window.findChildren(manual.ManualDialog) if w.isVisible()]
+def dialogs(window) -> list[ManualDialog]:
+    return [w for w in window.findChildren(ManualDialog) if w.isVisible()]
 
 
 def test_the_manual_opens_follows_links_and_finds_words(window, qtbot):
     window.menus.actions["Manual"].trigger()
     (dialog,) = dialogs(window)
-    assert dialog.pages.currentItem().text() == manual.title_of("manual")
+    assert dialog.pages.currentItem().text() == title_of("manual")
     dialog.show_page("calibrating.md#on-the-command-line")
     assert dialog.pages.currentItem().text() == "Calibrate a preset"
     assert dialog.text.verticalScrollBar().value() > 0
@@ -78,7 +89,7 @@ def german(qapp):
 
 
 def test_the_manual_of_a_german_window_has_german_pages(german, qtbot):
-    dialog = manual.ManualDialog(None)
+    dialog = ManualDialog(None)
     qtbot.addWidget(dialog)
     assert dialog.pages.currentItem().text() == "Das Fenster"
     for link, page in (
@@ -88,22 +99,18 @@ def test_the_manual_of_a_german_window_has_german_pages(german, qtbot):
     ):
         dialog.text.anchorClicked.emit(QUrl(link))
         assert dialog.pages.currentItem().text() == page
-    assert (
-        manual.heading_at("manual", "the-whole-file")
-        == manual.heading_at("manual", "die-ganze-datei")
-        == "Die ganze Datei"
-    )
-    assert manual.heading_at("manual", "nowhere") == ""
+    assert heading_at("manual", "the-whole-file") == heading_at("manual", "die-ganze-datei") == "Die ganze Datei"
+    assert heading_at("manual", "nowhere") == ""
 
 
 def test_what_is_this_answers_in_german(german):
-    assert manual.passage("manual", "Thresholds").startswith("**Schwellen**")
-    assert manual.passage("manual", "#The whole file").startswith("Eine geöffnete Datei")
+    assert passage("manual", "Thresholds").startswith("**Schwellen**")
+    assert passage("manual", "#The whole file").startswith("Eine geöffnete Datei")
 
 
 def test_anchors_are_those_that_links_have():
-    assert manual.slug_of("The whole file") == "the-whole-file"
-    assert manual.slug_of("Files are heard better") == "files-are-heard-better"
+    assert slug_of("The whole file") == "the-whole-file"
+    assert slug_of("Files are heard better") == "files-are-heard-better"
 
 
 def test_the_cards_come_once_and_lead_to_demo_microphone_and_calibration(desktop, window, qtbot):

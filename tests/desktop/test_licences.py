@@ -24,7 +24,7 @@ def test_the_command_line_prints_what_the_window_shows(desktop, qtbot, capsys):
     from PySide6.QtGui import QTextDocument
     from PySide6.QtWidgets import QTextBrowser
 
-    from phonemeanalyser.desktop.manual import LicencesDialog
+    from phonemeanalyser.desktop.help import LicencesDialog
 
     assert main(["--licences"]) == 0
     printed, shown = QTextDocument(), desktop.window

@@ -9,8 +9,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QDialog, QListView
 
+from phonemeanalyser.desktop.help import ShortcutsDialog
 from phonemeanalyser.desktop.session.sources import SourceKind
-from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
 from tests.desktop.calibrate.calibrating import Calibrator

@@ -14,9 +14,9 @@ from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QDockWi
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.calibrate.page import MappingDialog
 from phonemeanalyser.desktop.engine_words import sound_name
+from phonemeanalyser.desktop.help import ShortcutsDialog
 from phonemeanalyser.desktop.preset_dialogs import IN_USE, NOT_IN_USE
 from phonemeanalyser.desktop.session.preset import PresetDocument
-from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.phonemes import Phoneme

@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QAbstractSpinBox, QApplication, QComboBox, QLabel, QSlider, QWidget
 
-from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
+from phonemeanalyser.desktop.help import ShortcutsDialog
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.audio.stream import Device
 from phonemeengine.audio.tone import ToneKind

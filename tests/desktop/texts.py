@@ -9,7 +9,7 @@ from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QAction
 
-from phonemeanalyser.desktop.manual import ManualDialog
+from phonemeanalyser.desktop.help import ManualDialog
 from phonemeanalyser.desktop.widgets.timeline import Timeline
 
 _MARKUP = re.compile(r"<[^>]*>|&nbsp;")

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import soundfile
 
-from phonemeanalyser.server.limits import ServerLimits
+from phonemeanalyser.server.access import ServerLimits
 from phonemeanalyser.server.repertoire import Repertoire
 from phonemeanalyser.server.service import ServerSettings
 from phonemeengine.presets.files import DEFAULT_PRESET

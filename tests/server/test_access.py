@@ -8,8 +8,7 @@ from pathlib import Path
 import aiohttp
 import pytest
 
-from phonemeanalyser.server.access import Access, WrongTokens, is_loopback, token_in
-from phonemeanalyser.server.limits import RefusedError
+from phonemeanalyser.server.access import Access, RefusedError, WrongTokens, is_loopback, token_in
 from phonemeanalyser.server.service import ServerSettings, serving
 from phonemeengine import EngineError
 from tests.server.servers import run, served, streamed

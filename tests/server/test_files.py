@@ -18,9 +18,9 @@ import pytest
 import soundfile
 
 from phonemeanalyser.cli.main import main
+from phonemeanalyser.server.access import FAILED, RefusedError, ServerLimits
 from phonemeanalyser.server.file_process import CODE
 from phonemeanalyser.server.files import check_answer, limit_memory
-from phonemeanalyser.server.limits import FAILED, RefusedError, ServerLimits
 from phonemeanalyser.server.service import ServerSettings
 from phonemeengine.batch.work import Job
 from phonemeengine.presets.files import DEFAULT_PRESET

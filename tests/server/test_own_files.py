@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from phonemeanalyser.server.access import RefusedError, ServerLimits
 from phonemeanalyser.server.files import FileRequest
-from phonemeanalyser.server.limits import RefusedError, ServerLimits
 from phonemeanalyser.server.messages import StreamStart, start_of
 from phonemeanalyser.server.repertoire import Repertoire
 from phonemeengine import EngineError, load_preset, load_table

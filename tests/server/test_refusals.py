@@ -10,7 +10,7 @@ import aiohttp
 import numpy as np
 import pytest
 
-from phonemeanalyser.server.limits import ServerLimits
+from phonemeanalyser.server.access import ServerLimits
 from phonemeanalyser.server.service import ServerSettings
 from tests.server.conftest import FAST
 from tests.server.servers import Told, as_s16, cut, run, served, spoken_to, streamed

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from phonemeanalyser.server import messages
-from phonemeanalyser.server.limits import RefusedError
+from phonemeanalyser.server.access import RefusedError
 from phonemeanalyser.server.service import ServerSettings
 from phonemeengine import Analyser, Phoneme, Viseme, load_preset, load_table
 from phonemeengine.analyser import Analysis, concatenate_analyses

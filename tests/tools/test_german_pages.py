@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from phonemeanalyser.desktop.manual import blocks_of
+from phonemeanalyser.desktop.help import blocks_of
 from tests.conftest import ROOT
 from tools.terms import GERMAN_PAGES, GLOSSARY
 from tools.translations.ts_file import read_translations

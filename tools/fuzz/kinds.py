@@ -13,7 +13,7 @@ from random import Random
 import numpy as np
 import soundfile
 
-from phonemeanalyser.server.limits import ServerLimits
+from phonemeanalyser.server.access import ServerLimits
 from phonemeanalyser.server.messages import later_words_of, start_of
 from phonemeanalyser.server.repertoire import Repertoire
 from phonemeengine.audio.files import SoundReader

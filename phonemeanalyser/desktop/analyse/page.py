@@ -5,13 +5,13 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QSplitter, QStackedWidget, QWidget
 
 from phonemeanalyser.desktop.analyse.lanes.file_view import FilePanel
+from phonemeanalyser.desktop.analyse.lanes.score_strip import ScoreStrip
 from phonemeanalyser.desktop.analyse.lanes.scroll_view import ScrollView
-from phonemeanalyser.desktop.analyse.lanes.sonagram_choices import SonagramChoices
+from phonemeanalyser.desktop.analyse.lanes.sonagram import SonagramChoices
 from phonemeanalyser.desktop.analyse.recognition.phoneme_view import PhonemeView
 from phonemeanalyser.desktop.analyse.recognition.rule_editor import RuleEditor
 from phonemeanalyser.desktop.analyse.recognition.threshold_view import ThresholdView
 from phonemeanalyser.desktop.analyse.recognition.variable_panel import VariablePanel
-from phonemeanalyser.desktop.analyse.score.score_strip import ScoreStrip
 from phonemeanalyser.desktop.analyse.spectra.averaged_view import AveragedView
 from phonemeanalyser.desktop.analyse.spectra.frame_views import SpectrumView, WaveformView
 from phonemeanalyser.desktop.language import tr, tr_noop

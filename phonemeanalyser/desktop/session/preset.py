@@ -1,5 +1,6 @@
 """The preset that is being tuned, with undo and redo, and a second one beside it: A and B."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -11,7 +12,7 @@ from phonemeanalyser.desktop.engine_words import recogniser_title, sound_name
 from phonemeanalyser.desktop.language import tr, tr_amid, tr_noop
 from phonemeanalyser.desktop.session.undo import UndoableEdit
 from phonemeengine.errors import EngineError, RecogniserError, SettingsError
-from phonemeengine.features.variables import BUILT_IN_NAMES, Variable
+from phonemeengine.features.variables import BUILT_IN_NAMES, PITCH_SET_COLUMNS, Variable
 from phonemeengine.presets import files
 from phonemeengine.presets.controls import Control, ControlGroup, controls_of
 from phonemeengine.presets.model_choice import for_files, for_live_use
@@ -462,3 +463,29 @@ def _recogniser_key(preset: Preset) -> object:
 def _shape(rules: tuple[Rule, ...]) -> object:
     """Return all of some rules but their limits."""
     return [(rule.phoneme, [(c.variable, c.sign, c.threshold) for c in rule.conditions]) for rule in rules]
+
+
+def pitch_set_name(preset: Preset, values: Mapping[str, float]) -> str:
+    """Return the name of the set that a frame was recognised with; empty where it was with the preset's own numbers.
+
+    `values` are the variables of the frame.
+    """
+    number = int(values.get(PITCH_SET_COLUMNS[1], 0))
+    return preset.pitch_sets[number - 1].name if 0 < number <= len(preset.pitch_sets) else ""
+
+
+def pitch_set_in_words(preset: Preset, values: Mapping[str, float]) -> str:
+    """Return which numbers of PhonemeData a frame was recognised with, and why; empty where there are no sets."""
+    if not preset.pitch_ranges:
+        return ""
+    pitch, name = values.get(PITCH_SET_COLUMNS[0], 0), pitch_set_name(preset, values)
+    if not pitch > 0:
+        return tr("In use: the preset's own numbers, until the pitch of the voice is known.")
+    if not name:
+        words = tr("In use: the preset's own numbers, since no pitch set has {pitch:.0f} Hz, the pitch of the voice.")
+        return words.format(pitch=pitch)
+    found = preset.pitch_sets[int(values[PITCH_SET_COLUMNS[1]]) - 1]
+    return tr(
+        "In use: {name} ({low:.0f}–{high:.0f} Hz), since the pitch of the voice is {pitch:.0f} Hz, the median of its "
+        "last second."
+    ).format(name=name, pitch=pitch, low=found.low, high=found.high)

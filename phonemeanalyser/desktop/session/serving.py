@@ -9,8 +9,8 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QProcess, QTimer, Signal
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.server.access import USUAL_HOST, USUAL_PORT
 from phonemeanalyser.server.activity import Activity, Happening
-from phonemeanalyser.server.limits import USUAL_HOST, USUAL_PORT
 from phonemeengine.errors import EngineError
 from phonemeengine.presets.files import save_preset
 from phonemeengine.presets.preset import Preset

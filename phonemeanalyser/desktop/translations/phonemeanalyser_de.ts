@@ -9,7 +9,7 @@
             <translation> ({reason})</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source> and the open file</source>
             <translation> und die offene Datei</translation>
         </message>
@@ -129,7 +129,7 @@
             <translation>1 beschriftete Aufnahme wurde geladen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>1 recording</source>
             <translation>1 Aufnahme</translation>
         </message>
@@ -234,12 +234,12 @@
             <translation>&lt;p&gt;Eine Zeile je Phonem: Histogramm, Kasten von Quartil zu Quartil, Median und eine Linie von Minimum bis Maximum.&lt;/p&gt;&lt;p&gt;Schwelle ziehen oder mit Links und Rechts verschieben (Umschalt: feiner); Auf und Ab wählen eine aus. Klick auf eine Zahl: Schwelle auf diesen Wert setzen.&lt;/p&gt;</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/expression/streams.py" />
+            <location filename="../../../engine/phonemeengine/mouth/expression/channels.py" />
             <source>[classes] has {arkit} twice; name it once</source>
             <translation>In [classes] steht {arkit} zweimal; nur einmal angeben</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/expression/streams.py" />
+            <location filename="../../../engine/phonemeengine/mouth/expression/channels.py" />
             <source>[classes] lacks {missing}; put each blend shape into a class</source>
             <translation>In [classes] fehlt {missing}; jedem Blendshape eine Klasse geben</translation>
         </message>
@@ -344,7 +344,7 @@
             <translation>Eine Regelbedingung besteht aus Variable, Vergleich und Zahl, etwa m_a1 &lt; 3.5; gefunden {text}</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/recognition/scores.py" />
+            <location filename="../../../engine/phonemeengine/recognition/confidence.py" />
             <source>a confidence has 1..{most_points} rising scores and as many shares that do not fall, all of 0..1; fit it again</source>
             <translation>Eine Konfidenzkurve braucht 1..{most_points} steigende Werte und ebenso viele nicht fallende Anteile, alle in 0..1; neu anpassen</translation>
         </message>
@@ -469,7 +469,7 @@
             <translation>Eine Beschriftung dauert mindestens {shortest} ms; ein längeres Segment auswählen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/utterance.py" />
+            <location filename="../../../engine/phonemeengine/labels/label.py" />
             <source>a label must not end before it starts</source>
             <translation>Eine Beschriftung darf nicht enden, bevor es beginnt</translation>
         </message>
@@ -599,7 +599,7 @@
             <translation>eine Zahl in {low}..{high}</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/recording.py" />
+            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
             <source>a number is missing, found {value}</source>
             <translation>eine Zahl fehlt, gefunden {value}</translation>
         </message>
@@ -664,7 +664,7 @@
             <translation>eine Pinyin-Tabelle</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/recognition/rules.py" />
+            <location filename="../../../engine/phonemeengine/recognition/phoneme_data.py" />
             <source>a pitch set has no name; give it one, such as woman</source>
             <translation>Ein Grundfrequenz-Satz hat keinen Namen; einen angeben, etwa woman</translation>
         </message>
@@ -784,7 +784,7 @@
             <translation>ein Text im LIST-Block gibt mehr Byte an, als die Liste hat</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/recording.py" />
+            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
             <source>a text is missing, found {value}</source>
             <translation>ein Text fehlt, gefunden {value}</translation>
         </message>
@@ -839,7 +839,7 @@
             <translation>eine ganze Zahl ab 0</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/recording.py" />
+            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
             <source>a whole number is missing, found {value}</source>
             <translation>eine ganze Zahl fehlt, gefunden {value}</translation>
         </message>
@@ -874,7 +874,7 @@
             <translation>Genauigkeit nicht gemessen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/export_kinds.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/exports.py" />
             <source>accuracy report by the labels beside the file</source>
             <translation>Genauigkeitsbericht nach den Beschriftungen neben der Datei</translation>
         </message>
@@ -1054,7 +1054,7 @@
             <translation>Nach allen Filtern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>After Filters</source>
             <translation>Nach Filtern</translation>
         </message>
@@ -1079,7 +1079,7 @@
             <translation>Trotzdem ausrichten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Align Even If the Text Seems Different</source>
             <translation>Trotz abweichenden Textes ausrichten</translation>
         </message>
@@ -1089,7 +1089,7 @@
             <translation>Ausrichten findet jedes Wort in der Aufnahme. Ohne Aufnahme spricht eine Stimme den Text.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Align Text with Recording</source>
             <translation>Text an Aufnahme ausrichten</translation>
         </message>
@@ -1109,7 +1109,7 @@
             <translation>Ausrichten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/sound_words.py" />
             <source>alignment of a word</source>
             <translation>Ausrichten eines Wortes</translation>
         </message>
@@ -1154,7 +1154,7 @@
             <translation>alle Variablen alle 10 ms, JSON</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/exports.py" />
             <source>already done</source>
             <translation>schon fertig</translation>
         </message>
@@ -1264,7 +1264,7 @@
             <translation>Analysieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>analysing…</source>
             <translation>wird analysiert …</translation>
         </message>
@@ -1284,7 +1284,7 @@
             <translation>Aufnahme animieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/export_kinds.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/exports.py" />
             <source>animated GIF of the head</source>
             <translation>animiertes GIF des Kopfes</translation>
         </message>
@@ -1334,7 +1334,7 @@
             <translation>Aragonesisch</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/expression/streams.py" />
+            <location filename="../../../engine/phonemeengine/mouth/expression/channels.py" />
             <source>ARKit has no blend shape {name}; name one such as mouthSmile or mouthSmileLeft</source>
             <translation>ARKit hat keinen Blendshape {name}; einen angeben wie mouthSmile oder mouthSmileLeft</translation>
         </message>
@@ -1349,7 +1349,7 @@
             <translation>Armenisch (Westarmenien)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Arrows</source>
             <translation>Pfeiltasten</translation>
         </message>
@@ -1369,22 +1369,22 @@
             <translation>Asymmetrie</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Attack</source>
             <translation>Attack</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Attack and release of each phoneme</source>
             <translation>Attack und Release jedes Phonems</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Attack time</source>
             <translation>Attack-Zeit</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Attack: time in which the mouth covers 90 % of the way to the shape of a phoneme. Release: time in which it covers 90 % of the way back when silence follows. To change them, copy a mouth table from {tables}, edit its section [times], and load it.</source>
             <translation>Attack: Zeit, in der der Mund 90 % des Weges zur Form eines Phonems zurücklegt. Release: Zeit, in der er 90 % des Rückwegs zurücklegt, wenn Stille folgt. Zum Ändern eine Mundtabelle aus {tables} kopieren, ihren Abschnitt [times] bearbeiten und sie laden.</translation>
         </message>
@@ -1539,7 +1539,7 @@
             <translation>Hintergrundgeräusch {decibels:.0f} dBFS, {seconds:.1f} s lang gemessen. {accuracy}. Strg+Z macht es rückgängig.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Backspace</source>
             <translation>Rücktaste</translation>
         </message>
@@ -1659,7 +1659,7 @@
             <translation>Blendshapes und die dieses Gesichts</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Blink at natural intervals</source>
             <translation>In natürlichen Abständen blinzeln</translation>
         </message>
@@ -1754,7 +1754,7 @@
             <translation>Stimme kalibrieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Calibrate page</source>
             <translation>Seite Kalibrieren</translation>
         </message>
@@ -1814,7 +1814,7 @@
             <translation>Kalibrierung abbrechen und ihre Takes löschen; Strg+Z stellt sie wieder her (Esc)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/exports.py" />
             <source>cancelled</source>
             <translation>abgebrochen</translation>
         </message>
@@ -2209,7 +2209,7 @@
             <translation>vor {seconds:.0f} s übersteuert</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/exports.py" />
             <source>Clips have no preview. The Talk page shows the same head.</source>
             <translation>Für Clips gibt es keine Vorschau. Die Seite Sprechen zeigt denselben Kopf.</translation>
         </message>
@@ -2254,17 +2254,17 @@
             <translation>Farbe</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Colour map</source>
             <translation>Farbschema</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Colours from</source>
             <translation>Farben von</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Colours of the levels in the sonagram</source>
             <translation>Farben der Pegel im Sonagramm</translation>
         </message>
@@ -2274,7 +2274,7 @@
             <translation>Farbe…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Comma, full stop</source>
             <translation>Komma, Punkt</translation>
         </message>
@@ -2324,7 +2324,7 @@
             <translation>Reiter des Vergleichs</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/manual.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Component</source>
             <translation>Bestandteil</translation>
         </message>
@@ -2479,7 +2479,7 @@
             <translation>Kurven (*.csv)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Curves drawn over the sonagram, and lanes below it: formants, pitch, level, feeling, words</source>
             <translation>Kurven über dem Sonagramm und Spuren darunter: Formanten, Tonhöhe, Pegel, Gefühl, Wörter</translation>
         </message>
@@ -2494,7 +2494,7 @@
             <translation>eigener</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Custom variable</source>
             <translation>Eigene Variable</translation>
         </message>
@@ -2549,7 +2549,7 @@
             <translation>Rückstand von {phoneme}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Del</source>
             <translation>Entf</translation>
         </message>
@@ -2600,7 +2600,7 @@
             <translation>Keyframe löschen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Delete key</source>
             <translation>Keyframe löschen</translation>
         </message>
@@ -2615,7 +2615,7 @@
             <translation>Beschriftung löschen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Delete take</source>
             <translation>Take löschen</translation>
         </message>
@@ -2630,7 +2630,7 @@
             <translation>Ausgewählte Takes löschen (Entf); Strg+Z stellt sie wieder her</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Delete Word or Phone (Del)</source>
             <translation>Wort oder Phon löschen (Entf)</translation>
         </message>
@@ -2645,12 +2645,12 @@
             <translation>Löschen von {take}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/sound_words.py" />
             <source>deletion of a phone</source>
             <translation>Löschen eines Phons</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/sound_words.py" />
             <source>deletion of a word</source>
             <translation>Löschen eines Wortes</translation>
         </message>
@@ -2660,7 +2660,7 @@
             <translation>Entrauschen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Detail</source>
             <translation>Detail</translation>
         </message>
@@ -2700,7 +2700,7 @@
             <translation>Unterschied der Gewichte aller Blendshapes, 0 bis 1: quadratisches Mittel und größter Wert</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>Difference since this change began: it was {before}.</source>
             <translation>Differenz seit Beginn dieser Änderung; vorher {before}.</translation>
         </message>
@@ -2730,7 +2730,7 @@
             <translation>Änderungen verwerfen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Discard the marked range</source>
             <translation>Markierten Bereich verwerfen</translation>
         </message>
@@ -2780,7 +2780,7 @@
             <translation>Fertig</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/exports.py" />
             <source>done</source>
             <translation>fertig</translation>
         </message>
@@ -2895,7 +2895,7 @@
             <translation>Jedes Dreieck nennt eins von {made} Materialien, eines nicht; neu exportieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Edit Keys</source>
             <translation>Keyframes bearbeiten</translation>
         </message>
@@ -2920,7 +2920,7 @@
             <translation>Bearbeitete Keyframes</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Effect of a slider on everything else</source>
             <translation>Wirkung eines Reglers auf alles andere</translation>
         </message>
@@ -2945,7 +2945,7 @@
             <translation>Endfrequenz des Gleittons</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>End guided calibration</source>
             <translation>Geführte Kalibrierung beenden</translation>
         </message>
@@ -3035,17 +3035,17 @@
             <translation>Auf der Seite Sprechen einen Text eingeben und Strg+Eingabetaste drücken</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>Enter in Talk what is said, align it, and save the TextGrid beside the sound</source>
             <translation>Auf „Sprechen“ den gesprochenen Text eingeben, ausrichten und als TextGrid neben der Datei speichern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>Enter Script</source>
             <translation>Text eingeben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Esc</source>
             <translation>Esc</translation>
         </message>
@@ -3095,7 +3095,7 @@
             <translation>Ausschließen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Exclude or include take</source>
             <translation>Take aus- oder einschließen</translation>
         </message>
@@ -3220,7 +3220,7 @@
             <translation>Überzählige Daten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>F1 of each phoneme since this change began, in percentage points: {phonemes}</source>
             <translation>F1 je Phonem seit Beginn dieser Änderung, in Prozentpunkten: {phonemes}</translation>
         </message>
@@ -3280,7 +3280,7 @@
             <translation>Blendet vom Anfang bis zum Ende aus und entfernt Frequenzen darüber.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/exports.py" />
             <source>failed</source>
             <translation>gescheitert</translation>
         </message>
@@ -3310,7 +3310,7 @@
             <translation>Gefühl</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Feeling in the voice (lane below: activation, pleasantness, standard errors)</source>
             <translation>Gefühl in der Stimme (Spur darunter: Aktivierung, Angenehmheit, Standardfehler)</translation>
         </message>
@@ -3495,7 +3495,7 @@
             <translation>An aufgezeichnete Gesichter anpassen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Fit to view</source>
             <translation>Einpassen</translation>
         </message>
@@ -3550,7 +3550,7 @@
             <translation>Ordner mit beschrifteten Aufnahmen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/export_kinds.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/exports.py" />
             <source>folder of PNG pictures of the head</source>
             <translation>Ordner mit PNG-Bildern des Kopfes</translation>
         </message>
@@ -3575,7 +3575,7 @@
             <translation>Folgen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Formants (red dots, Burg's method, as in Praat)</source>
             <translation>Formanten (rote Punkte, nach Burg, wie in Praat)</translation>
         </message>
@@ -3700,7 +3700,7 @@
             <translation>Frequenzen darunter bleiben unverändert.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Frequencies, window, levels and colour map of the sonagram</source>
             <translation>Frequenzen, Fenster, Pegel und Farbtabelle des Sonagramms</translation>
         </message>
@@ -3710,7 +3710,7 @@
             <translation>Frequenz</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Frequency axis</source>
             <translation>Frequenzachse</translation>
         </message>
@@ -3800,7 +3800,7 @@
             <translation>Gewinn: {sounds}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>Gained: {phonemes}</source>
             <translation>Besser: {phonemes}</translation>
         </message>
@@ -3840,7 +3840,7 @@
             <translation>in einer neuen Datei fortfahren oder auf einem Laufwerk mit exFAT oder NTFS</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>Go to an example of this confusion</source>
             <translation>Zu einem Beispiel dieser Verwechslung springen</translation>
         </message>
@@ -3860,7 +3860,7 @@
             <translation>Zum nächsten Unterschied der Liste gehen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
             <source>Go to the next poor match</source>
             <translation>Zum nächsten schlecht passenden Wort</translation>
         </message>
@@ -3875,7 +3875,7 @@
             <translation>Zum vorigen Unterschied der Liste gehen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
             <source>Go to the previous poor match</source>
             <translation>Zum vorigen schlecht passenden Wort</translation>
         </message>
@@ -3965,7 +3965,7 @@
             <translation>Kopfbewegung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Head, while it has the focus</source>
             <translation>Kopf, solange er den Fokus hat</translation>
         </message>
@@ -4015,7 +4015,7 @@
             <translation>Hochpass Anfang</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Highest frequency</source>
             <translation>Höchste Frequenz</translation>
         </message>
@@ -4035,7 +4035,7 @@
             <translation>Verlauf</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>Hold a key in Calibrate while you say a sound</source>
             <translation>Auf „Kalibrieren“ eine Taste gedrückt halten und den Laut sprechen</translation>
         </message>
@@ -4050,7 +4050,7 @@
             <translation>Taste halten, solange ihr Laut erklingt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Hold mouth shape</source>
             <translation>Mundform halten</translation>
         </message>
@@ -4075,7 +4075,7 @@
             <translation>Das ie in „sieh“ halten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Hold the mouth shape {shape}</source>
             <translation>Mundform {shape} halten</translation>
         </message>
@@ -4100,17 +4100,17 @@
             <translation>Das sch in „schön“ halten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Hold to show the mouth shape {shape} instead of the speech</source>
             <translation>Halten, um die Mundform {shape} statt der Sprache zu zeigen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Hold to show the mouth shape {shape} instead of the speech (keys: {keys})</source>
             <translation>Halten, um die Mundform {shape} statt der Sprache zu zeigen (Tasten: {keys})</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Home</source>
             <translation>Pos1</translation>
         </message>
@@ -4120,7 +4120,7 @@
             <translation>Schritt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>How closely the mouth follows the speech; distant faces need less detail</source>
             <translation>Wie genau der Mund der Sprache folgt; ferne Gesichter brauchen weniger Details</translation>
         </message>
@@ -4165,7 +4165,7 @@
             <translation>Wie stark die Sprache den Ausdruck gerade reduziert: Mit Beginn der Sprache lässt er in 0.1 s nach und kehrt danach in 0.5 s zurück</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>How often the recognised phoneme changes, and in parentheses how often the labels do</source>
             <translation>Wie oft das erkannte Phonem wechselt, und in Klammern die Beschriftung</translation>
         </message>
@@ -4195,7 +4195,7 @@
             <translation>Isländisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Idle motion</source>
             <translation>Ruhebewegung</translation>
         </message>
@@ -4240,17 +4240,17 @@
             <translation>In diesem Gesicht</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/pitch_set_words.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/preset.py" />
             <source>In use: the preset's own numbers, since no pitch set has {pitch:.0f} Hz, the pitch of the voice.</source>
             <translation>Verwendet: die Zahlen des Presets, da kein Grundfrequenz-Satz {pitch:.0f} Hz enthält, die Grundfrequenz der Stimme.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/pitch_set_words.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/preset.py" />
             <source>In use: the preset's own numbers, until the pitch of the voice is known.</source>
             <translation>Verwendet: die Zahlen des Presets, bis die Grundfrequenz der Stimme bekannt ist.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/pitch_set_words.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/preset.py" />
             <source>In use: {name} ({low:.0f}–{high:.0f} Hz), since the pitch of the voice is {pitch:.0f} Hz, the median of its last second.</source>
             <translation>Verwendet: {name} ({low:.0f}–{high:.0f} Hz), da die Grundfrequenz der Stimme {pitch:.0f} Hz ist, der Median ihrer letzten Sekunde.</translation>
         </message>
@@ -4280,7 +4280,7 @@
             <translation>Mitzählen von {take}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/manual.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Includes</source>
             <translation>Enthält</translation>
         </message>
@@ -4305,12 +4305,12 @@
             <translation>Beschriftung einfügen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Insert Word (Ins)</source>
             <translation>Wort einfügen (Einfg)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/sound_words.py" />
             <source>insertion of a word</source>
             <translation>Einfügen eines Wortes</translation>
         </message>
@@ -4450,7 +4450,7 @@
             <translation>Dauert {duration} s, verarbeitet werden höchstens {longest} s</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/exports/gltf.py" />
+            <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
             <source>it names number {buffer} of its buffers, and there are {begins}; export it again</source>
             <translation>Nummer {buffer} der Puffer wird genannt, es gibt {begins}; neu exportieren</translation>
         </message>
@@ -4505,7 +4505,7 @@
             <translation>Die Puffer enthalten mehr als {largest_buffer} MB; weniger exportieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/exports/gltf.py" />
+            <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
             <source>its buffers lie outside it</source>
             <translation>die Puffer liegen außerhalb der Datei</translation>
         </message>
@@ -4525,12 +4525,12 @@
             <translation>COLOR_0 hat die Form {shape} bei {n} Eckpunkten; neu exportieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/recording.py" />
+            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
             <source>its components are no list of numbers</source>
             <translation>Ihre Komponenten sind keine Liste von Zahlen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/recording.py" />
+            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
             <source>its components do not fit its shapes</source>
             <translation>Ihre Komponenten passen nicht zu ihren Formen</translation>
         </message>
@@ -4555,7 +4555,7 @@
             <translation>Die Datei {name} gehört schon zu {name_2}; eine umbenennen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/exports/gltf.py" />
+            <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
             <source>its first buffer lies outside it</source>
             <translation>der erste Puffer liegt außerhalb der Datei</translation>
         </message>
@@ -4645,7 +4645,7 @@
             <translation>{key} muss aus {default} Zahlen bestehen, gefunden {found}; neu exportieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/exports/gltf.py" />
+            <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
             <source>its {name} are no list</source>
             <translation>{name} sind keine Liste</translation>
         </message>
@@ -4680,7 +4680,7 @@
             <translation>Altes behalten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Keep others</source>
             <translation>Andere behalten</translation>
         </message>
@@ -4755,7 +4755,7 @@
             <translation>Keyframes der Blendshapes im Zeitverlauf</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Keys of blend shapes, while they have the focus</source>
             <translation>Keyframes der Blendshapes, solange sie den Fokus haben</translation>
         </message>
@@ -4825,7 +4825,7 @@
             <translation>Soll und erkannte Phoneme</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/utterance.py" />
+            <location filename="../../../engine/phonemeengine/labels/label.py" />
             <source>labels must end within a day ({last_end} s)</source>
             <translation>Beschriftungen müssen innerhalb eines Tages enden ({last_end} s)</translation>
         </message>
@@ -4935,7 +4935,7 @@
             <translation>Übrig: {names}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Left, Right</source>
             <translation>Links, Rechts</translation>
         </message>
@@ -4945,17 +4945,17 @@
             <translation>linke Hälfte</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Length of all attacks: 100 % as in the mouth table; less is faster, more is slower</source>
             <translation>Länge aller Attacks: 100 % wie in der Mundtabelle; weniger ist schneller, mehr langsamer</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Length of all releases: 100 % as in the mouth table; less is faster, more is slower</source>
             <translation>Länge aller Releases: 100 % wie in der Mundtabelle; weniger ist schneller, mehr langsamer</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Length of the sonagram's window: a short one (wide band, 6 ms) shows single pulses of the voice, a long one (narrow band, 30 ms) its harmonics</source>
             <translation>Länge des Analysefensters: Ein kurzes (breitbandig, 6 ms) zeigt einzelne Stimmimpulse, ein langes (schmalbandig, 30 ms) die Teiltöne</translation>
         </message>
@@ -4985,7 +4985,7 @@
             <translation>Pegel (dB)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Level (yellow line, peaks from −80 to 0 dB)</source>
             <translation>Pegel (gelbe Linie, Spitzen von −80 bis 0 dB)</translation>
         </message>
@@ -5010,22 +5010,22 @@
             <translation>Pegel der gemittelten Frames vor den Filtern: Effektivwert, dBFS</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Level of the brightest colour</source>
             <translation>Pegel der hellsten Farbe</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Level of the brightest colour, dBFS, the same for every sound</source>
             <translation>Pegel der hellsten Farbe in dBFS, für jeden Ton gleich</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Level of the darkest colour</source>
             <translation>Pegel der dunkelsten Farbe</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Level of the darkest colour, dBFS, the same for every sound</source>
             <translation>Pegel der dunkelsten Farbe in dBFS, für jeden Ton gleich</translation>
         </message>
@@ -5050,7 +5050,7 @@
             <translation>Lexikon…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/manual.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Licence</source>
             <translation>Lizenz</translation>
         </message>
@@ -5060,7 +5060,7 @@
             <translation>Lizenzen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/manual.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Licences of all components</source>
             <translation>Lizenzen aller Bestandteile</translation>
         </message>
@@ -5210,7 +5210,7 @@
             <translation>Laden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Load a face mesh (.obj, .glb, .vrm, .gltf, .x) with its blend shapes (.3dm)</source>
             <translation>Gesichtsnetz (.obj, .glb, .vrm, .gltf, .x) mit seinen Blendshapes (.3dm) laden</translation>
         </message>
@@ -5225,7 +5225,7 @@
             <translation>Datei mit der Aussprache von Wörtern laden; andere Wörter werden nach den Regeln der Sprache ausgesprochen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>Load a TextGrid, or labels of Audacity or CSV</source>
             <translation>TextGrid, Audacity-Textmarken oder CSV laden</translation>
         </message>
@@ -5250,12 +5250,12 @@
             <translation>Gesichtsaufzeichnung laden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Load Face Capture…</source>
             <translation>Gesichtsaufzeichnung laden…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Load Face…</source>
             <translation>Gesicht laden…</translation>
         </message>
@@ -5285,7 +5285,7 @@
             <translation>Lexikon laden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Load Lexicon…</source>
             <translation>Lexikon laden…</translation>
         </message>
@@ -5295,12 +5295,12 @@
             <translation>Mundtabelle laden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Load Mouth Table…</source>
             <translation>Mundtabelle laden…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Load mouth table…</source>
             <translation>Mundtabelle laden…</translation>
         </message>
@@ -5360,17 +5360,17 @@
             <translation>Langer Puffer: 50 ms, für ausgelastete Computer</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Look at Bust</source>
             <translation>Büste ansehen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Look at Face</source>
             <translation>Gesicht ansehen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Look at Mouth</source>
             <translation>Mund ansehen</translation>
         </message>
@@ -5395,7 +5395,7 @@
             <translation>Modell wird gesucht…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_model.py" />
             <source>Looking for the receiver…</source>
             <translation>Empfänger wird gesucht …</translation>
         </message>
@@ -5425,7 +5425,7 @@
             <translation>Verlust: {sounds}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>Lost: {phonemes}</source>
             <translation>Schlechter: {phonemes}</translation>
         </message>
@@ -5435,7 +5435,7 @@
             <translation>Lauter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Loudness only</source>
             <translation>Nur Lautstärke</translation>
         </message>
@@ -5550,7 +5550,7 @@
             <translation>Handbuch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/manual.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Manual pages</source>
             <translation>Seiten des Handbuchs</translation>
         </message>
@@ -5560,17 +5560,17 @@
             <translation>Blendshapes von {face} zuordnen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Map Shapes…</source>
             <translation>Blendshapes zuordnen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Map the blend shapes of this face to those of the mouth table</source>
             <translation>Die Blendshapes dieses Gesichts denen der Mundtabelle zuordnen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Mark range</source>
             <translation>Bereich markieren</translation>
         </message>
@@ -5755,12 +5755,12 @@
             <translation>Mel-Filterbank</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Menu key</source>
             <translation>Menütaste</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Menu shortcuts that are single letters, Delete, F2 or use Shift work on the Analyse page only. While a list, number or text field has the focus, letters go to that field: click a plot to leave it.</source>
             <translation>Einzelne Buchstaben, Entf, F2 und Kürzel mit Umschalt aus den Menüs wirken nur auf der Seite Analysieren. Hat eine Liste, eine Zahl oder ein Textfeld den Fokus, gehen Buchstaben dorthin: zum Verlassen in ein Diagramm klicken.</translation>
         </message>
@@ -5845,7 +5845,7 @@
             <translation>Mono</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/what_is_this.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>More in the manual</source>
             <translation>Mehr im Handbuch</translation>
         </message>
@@ -5860,7 +5860,7 @@
             <translation>Mund-Vorlauf</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Mouth shapes</source>
             <translation>Mundformen</translation>
         </message>
@@ -5915,27 +5915,27 @@
             <translation>Nach unten, um später zu entscheiden (Alt+Ab oder ziehen)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Move key by one picture</source>
             <translation>Keyframe um ein Bild verschieben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Move light</source>
             <translation>Licht bewegen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Move Light Left (,)</source>
             <translation>Licht nach links (,)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Move Light Right (.)</source>
             <translation>Licht nach rechts (.)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/sound_words.py" />
             <source>move of a boundary ({unit})</source>
             <translation>Verschieben einer Grenze ({unit})</translation>
         </message>
@@ -5945,7 +5945,7 @@
             <translation>Verschieben eines Gefühls</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Move the head with the pitch and loudness of the speech</source>
             <translation>Den Kopf mit Tonhöhe und Lautstärke der Sprache bewegen</translation>
         </message>
@@ -6160,12 +6160,12 @@
             <translation>Nächster Bereich</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Next Picture (Right)</source>
             <translation>Nächstes Bild (Rechts)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Next Poor Match</source>
             <translation>Nächstes schlecht passendes Wort</translation>
         </message>
@@ -6430,7 +6430,7 @@
             <translation>Noch keine Takes</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/exports.py" />
             <source>no text or TextGrid beside the file</source>
             <translation>kein Text oder TextGrid neben der Datei</translation>
         </message>
@@ -6465,12 +6465,12 @@
             <translation>kein Word-Dokument</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/sound_words.py" />
             <source>No word is selected. Click one in the timeline first.</source>
             <translation>Kein Wort ausgewählt. Zuerst eines in der Zeitleiste anklicken.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/sound_words.py" />
             <source>No words are known of this sound. Align its text first.</source>
             <translation>Von dieser Audiodatei sind keine Wörter bekannt. Zuerst ihren Text ausrichten.</translation>
         </message>
@@ -6510,7 +6510,7 @@
             <translation>Normieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Normalise to 100 %</source>
             <translation>Auf 100 % normieren</translation>
         </message>
@@ -6675,12 +6675,12 @@
             <translation>Zu bearbeitende Zahlen: die des Presets oder die eines Satzes für einen Grundfrequenzbereich</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>of 1 speaker</source>
             <translation>von 1 Sprecher</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>of {n} speakers</source>
             <translation>von {n} Sprechern</translation>
         </message>
@@ -6755,7 +6755,7 @@
             <translation>ein einzelner Laut</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>One step; with Shift, a tenth</source>
             <translation>Ein Schritt; mit Umschalt ein Zehntel</translation>
         </message>
@@ -6820,7 +6820,7 @@
             <translation>Audiodatei öffnen (Strg+O)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Open and closed</source>
             <translation>Offen und geschlossen</translation>
         </message>
@@ -6840,7 +6840,7 @@
             <translation>Gesichtsnetz öffnen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Open Face Network…</source>
             <translation>Gesichtsnetz öffnen…</translation>
         </message>
@@ -6875,7 +6875,7 @@
             <translation>Zuletzt geöffnet</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Open Recorded Faces…</source>
             <translation>Aufgezeichnete Gesichter öffnen…</translation>
         </message>
@@ -6885,7 +6885,7 @@
             <translation>Skript öffnen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Open Script…</source>
             <translation>Skript öffnen…</translation>
         </message>
@@ -6955,7 +6955,7 @@
             <translation>oder das Ziel web-module wählen, das keine Seite hat</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Orbit; with Shift, pan</source>
             <translation>Umkreisen; mit Umschalt verschieben</translation>
         </message>
@@ -6985,7 +6985,7 @@
             <translation>Ausgabegerät und Tempo</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Overlays</source>
             <translation>Überlagerungen</translation>
         </message>
@@ -7015,12 +7015,12 @@
             <translation>eigener Ton der aufgezeichneten Gesichter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/manual.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Page</source>
             <translation>Seite</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Page Up, Page Down</source>
             <translation>Bild auf, Bild ab</translation>
         </message>
@@ -7220,7 +7220,7 @@
             <translation>Phoneme der Beschriftung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/phoneme_writer.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/session.py" />
             <source>Phonemes of {name} saved as {target}. Model: {model}.</source>
             <translation>Phoneme von {name} gespeichert als {target}. Modell: {model}.</translation>
         </message>
@@ -7230,17 +7230,17 @@
             <translation>Phone</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/rendering/offscreen.py" />
+            <location filename="../../../phonemeanalyser/rendering/renderer.py" />
             <source>pictures need OpenGL 3.3, in software at least, and there is none ({error}); install a graphics driver, on Linux the packages libegl1 and libgl1-mesa-dri</source>
             <translation>Für Bilder wird OpenGL 3.3 benötigt, zumindest in Software, und es fehlt ({error}); Grafiktreiber installieren, unter Linux die Pakete libegl1 und libgl1-mesa-dri</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/rendering/offscreen.py" />
+            <location filename="../../../phonemeanalyser/rendering/renderer.py" />
             <source>pictures of {size}x{size_2} pixels are too large for OpenGL here; make them smaller</source>
             <translation>Bilder von {size}x{size_2} Pixeln sind für OpenGL hier zu groß; kleiner wählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
             <source>Pictures per Second</source>
             <translation>Bilder pro Sekunde</translation>
         </message>
@@ -7270,7 +7270,7 @@
             <translation>pip install "phonemeanalyser[whisper]" installiert ein genaueres</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Pitch (blue line, 0 to 500 Hz from bottom to top)</source>
             <translation>Grundfrequenz (blaue Linie, 0 bis 500 Hz von unten nach oben)</translation>
         </message>
@@ -7320,7 +7320,7 @@
             <translation>Auswahl abspielen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Play take</source>
             <translation>Take abspielen</translation>
         </message>
@@ -7460,7 +7460,7 @@
             <translation>Preset, mit dem das verwendete verglichen wird</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>Preset: {preset}{changed}</source>
             <translation>Preset: {preset}{changed}</translation>
         </message>
@@ -7520,17 +7520,17 @@
             <translation>Vorheriger Bereich</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Previous Picture (Left)</source>
             <translation>Voriges Bild (Links)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Previous Poor Match</source>
             <translation>Voriges schlecht passendes Wort</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Previous, next key; with Ctrl, curve</source>
             <translation>Voriger, nächster Keyframe; mit Strg Kurve</translation>
         </message>
@@ -7585,7 +7585,7 @@
             <translation>Bereich um 0.1 anheben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Raise, lower key; with Shift, farther</source>
             <translation>Keyframe anheben, senken; mit Umschalt weiter</translation>
         </message>
@@ -7600,7 +7600,7 @@
             <translation>Startwert</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Random variation</source>
             <translation>Zufällige Variation</translation>
         </message>
@@ -7645,7 +7645,7 @@
             <translation>Sprechernamen, [Regieanweisungen], *Betonung*, &lt;tags&gt; und &amp;Entitäten; in einem Skript als Wörter lesen; sonst werden sie ausgelassen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Read Notation Literally</source>
             <translation>Notation wörtlich lesen</translation>
         </message>
@@ -7680,7 +7680,7 @@
             <translation>Echtzeitmodell</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Realign This Word</source>
             <translation>Dieses Wort neu ausrichten</translation>
         </message>
@@ -7690,7 +7690,7 @@
             <translation>OSC empfangen an</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_model.py" />
             <source>Receiver not reached</source>
             <translation>Empfänger nicht erreicht</translation>
         </message>
@@ -7750,7 +7750,7 @@
             <translation>Erkenner anderer Pakete</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/phoneme_writer.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/session.py" />
             <source>Recognising the phonemes of {name} and saving them as {target}…</source>
             <translation>Phoneme von {name} werden erkannt und als {target} gespeichert…</translation>
         </message>
@@ -7775,12 +7775,12 @@
             <translation>Vom Mikrofon nach {folder} aufnehmen (R)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Record take while held</source>
             <translation>Take aufnehmen, solange gehalten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>Record Takes</source>
             <translation>Takes aufnehmen</translation>
         </message>
@@ -7880,12 +7880,12 @@
             <translation>Umbenennen von {take}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Release</source>
             <translation>Release</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Release time</source>
             <translation>Release-Zeit</translation>
         </message>
@@ -7915,7 +7915,7 @@
             <translation>entfernen oder einen davon verwenden: {names}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Remove Lexicon</source>
             <translation>Lexikon entfernen</translation>
         </message>
@@ -7990,7 +7990,7 @@
             <translation>Stil umbenennen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Rename Word or Phone (F2)</source>
             <translation>Wort oder Phon umbenennen (F2)</translation>
         </message>
@@ -8000,12 +8000,12 @@
             <translation>Umbenennen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/sound_words.py" />
             <source>renaming of a phone</source>
             <translation>Umbenennen eines Phons</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/sound_words.py" />
             <source>renaming of a word</source>
             <translation>Umbenennen eines Wortes</translation>
         </message>
@@ -8015,7 +8015,7 @@
             <translation>Wiederholen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Repeat previous sound</source>
             <translation>Vorigen Laut wiederholen</translation>
         </message>
@@ -8025,7 +8025,7 @@
             <translation>Vorigen Schritt wiederholen (Rücktaste)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Repeat this sound</source>
             <translation>Diesen Laut wiederholen</translation>
         </message>
@@ -8070,7 +8070,7 @@
             <translation>Bereich zurücksetzen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Reset to Speech</source>
             <translation>Zurücksetzen</translation>
         </message>
@@ -8110,7 +8110,7 @@
             <translation>Wiederherstellen von {take}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Return</source>
             <translation>Eingabetaste</translation>
         </message>
@@ -8210,7 +8210,7 @@
             <translation>Regeln: {rules}, Bedingungen: {conditions}.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/exports.py" />
             <source>running</source>
             <translation>läuft</translation>
         </message>
@@ -8255,7 +8255,7 @@
             <translation>Wie unter Sprechen: {name}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_model.py" />
             <source>Same as the head</source>
             <translation>Wie der Kopf</translation>
         </message>
@@ -8330,7 +8330,7 @@
             <translation>Kurve speichern…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_panel.py" />
             <source>Save Keys</source>
             <translation>Keyframes speichern</translation>
         </message>
@@ -8420,7 +8420,7 @@
             <translation>Gesprochenen Text speichern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Save Spoken Text as Audio File…</source>
             <translation>Gesprochenen Text als Audiodatei speichern…</translation>
         </message>
@@ -8440,7 +8440,7 @@
             <translation>Text speichern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Save Text…</source>
             <translation>Text speichern…</translation>
         </message>
@@ -8505,7 +8505,7 @@
             <translation>Wörter und Phone speichern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
             <source>Save Words and Phones…</source>
             <translation>Wörter und Phone speichern…</translation>
         </message>
@@ -8515,7 +8515,7 @@
             <translation>Gesprochener Text gespeichert als {path}, mit einer Beschriftungsdatei der Wörter und Phone</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/sound_words.py" />
             <source>Saved words and phones as {path}.</source>
             <translation>Wörter und Phone als {path} gespeichert.</translation>
         </message>
@@ -8550,12 +8550,12 @@
             <translation>Schwa</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>Score</source>
             <translation>Bewertung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>Score of</source>
             <translation>Bewertet wird</translation>
         </message>
@@ -8580,7 +8580,7 @@
             <translation>Weiterblättern, wenn die Wiedergabe den Ausschnitt verlässt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/manual.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Search</source>
             <translation>Suchen</translation>
         </message>
@@ -8600,7 +8600,7 @@
             <translation>Presets suchen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/manual.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Search the manual</source>
             <translation>Handbuch durchsuchen</translation>
         </message>
@@ -8655,7 +8655,7 @@
             <translation>Phoneme, Mundformen und Blendshape-Gewichte über das Netzwerk senden, als OSC-Nachrichten des VMC-Protokolls der VTuber-Programme</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_model.py" />
             <source>Sending: {n} packets</source>
             <translation>Sendet: {n} Pakete</translation>
         </message>
@@ -8745,12 +8745,12 @@
             <translation>Satz von Blendshapes, den die Sprache bewegt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Set others and blinks to 0</source>
             <translation>Andere und Blinzeln auf 0</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Set others to 0</source>
             <translation>Andere auf 0</translation>
         </message>
@@ -8760,7 +8760,7 @@
             <translation>Reichweite, Tempo, Verschlüsse und Asymmetrie so einstellen, dass sich Regeln möglichst wie die verwendeten aufgezeichneten Gesichter bewegen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Set start, end of the range</source>
             <translation>Anfang, Ende des Bereichs setzen</translation>
         </message>
@@ -8815,7 +8815,7 @@
             <translation>Anteil des Ausdrucks, den die Sprache wegnimmt: 0 nichts, 1 alles</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Shift+Left, Shift+Right</source>
             <translation>Umschalt+Links, Umschalt+Rechts</translation>
         </message>
@@ -8900,7 +8900,7 @@
             <translation>Am Gesicht zeigen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Show Man</source>
             <translation>Mann zeigen</translation>
         </message>
@@ -8925,7 +8925,7 @@
             <translation>Die Kurven der Blendshapes zeigen, deren Keyframes sich bearbeiten lassen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Show the man's head that ships with the program</source>
             <translation>Den Kopf des Mannes zeigen, der zum Programm gehört</translation>
         </message>
@@ -8940,7 +8940,7 @@
             <translation>Nur die Regeln für dieses Phonem zeigen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Show the sonagram after all active filters, as recognisers that use the filters see it</source>
             <translation>Das Sonagramm nach allen aktiven Filtern zeigen, so wie Erkenner mit Filtern es sehen</translation>
         </message>
@@ -8950,7 +8950,7 @@
             <translation>Ganzen Kopf von vorn zeigen (Pos1 oder Doppelklick)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Show the woman's head that ships with the program</source>
             <translation>Den Kopf der Frau zeigen, der zum Programm gehört</translation>
         </message>
@@ -8960,7 +8960,7 @@
             <translation>Seite {name} anzeigen (Strg+{number})</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Show Woman</source>
             <translation>Frau zeigen</translation>
         </message>
@@ -9030,7 +9030,7 @@
             <translation>Singhalesisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Skip</source>
             <translation>Überspringen</translation>
         </message>
@@ -9045,7 +9045,7 @@
             <translation>Überspringen ▶</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Sliders and timeline</source>
             <translation>Regler und Zeitleiste</translation>
         </message>
@@ -9095,7 +9095,7 @@
             <translation>Bereich glätten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Smooth, raise or lower range</source>
             <translation>Bereich glätten, anheben oder senken</translation>
         </message>
@@ -9115,7 +9115,7 @@
             <translation>Glättung: {recognised} → {phoneme}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Sonagram</source>
             <translation>Sonagramm</translation>
         </message>
@@ -9165,7 +9165,7 @@
             <translation>Quelle des Signals: Datei, Mikrofon, Ton oder Text</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Spacing of the frequencies in the sonagram: linear, mel or logarithmic</source>
             <translation>Teilung der Frequenzachse im Sonagramm: linear, mel oder logarithmisch</translation>
         </message>
@@ -9195,7 +9195,7 @@
             <translation>Sprechen und die Phoneme mitlesen; aufgenommen wird erst mit der Taste R.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Speak Text</source>
             <translation>Text vorlesen</translation>
         </message>
@@ -9285,7 +9285,7 @@
             <translation>Sprechtempo der Stimmen von espeak-ng; Menschen sprechen vier bis fünf Silben pro Sekunde</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Speed</source>
             <translation>Tempo</translation>
         </message>
@@ -9305,17 +9305,17 @@
             <translation>Beschriftung am Cursor teilen (Eingabetaste)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Split Word or Phone at Cursor (Enter)</source>
             <translation>Wort oder Phon am Cursor teilen (Eingabetaste)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/sound_words.py" />
             <source>splitting of a phone</source>
             <translation>Teilen eines Phons</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/sound_words.py" />
             <source>splitting of a word</source>
             <translation>Teilen eines Wortes</translation>
         </message>
@@ -9435,7 +9435,7 @@
             <translation>Gestoppt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/exports.py" />
             <source>stopped by an unexpected error</source>
             <translation>durch einen unerwarteten Fehler abgebrochen</translation>
         </message>
@@ -9595,7 +9595,7 @@
             <translation>Tabelle aufgezeichneter Gesichter, deren Bewegung für neue Sätze verwendet wird; `phonemeanalyser performance build` erstellt eine</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Table of the mouth shape of each phoneme, and of the blend shapes that form it</source>
             <translation>Tabelle der Mundform jedes Phonems und der Blendshapes, die sie bilden</translation>
         </message>
@@ -10015,7 +10015,7 @@
             <translation>Die geladenen Aufnahmen haben keine brauchbaren Beschriftungen.</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/dsp/spectrum.py" />
+            <location filename="../../../engine/phonemeengine/dsp/filters.py" />
             <source>the maximum of a normalised spectrum must be above 0, got {maximum}; choose another</source>
             <translation>Das Maximum eines normalisierten Spektrums muss über 0 liegen, gefunden {maximum}; anderes wählen</translation>
         </message>
@@ -10043,11 +10043,6 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>The microphone has recorded nothing since Clear. Use it first, then add its average.</source>
             <translation>Seit dem Leeren hat das Mikrofon nichts aufgenommen. Zuerst aufnehmen, dann den Mittelwert hinzufügen.</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
-            <source>The microphone is back: {status}.</source>
-            <translation>Das Mikrofon ist zurück: {status}.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
@@ -10135,7 +10130,7 @@
             <translation>Das nächste von neun mittleren Spektren, wie bei uLipSync: Mundformen {percent} % bei ausgelassenen Sprechern.</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/encoder/onnx.py" />
+            <location filename="../../../engine/phonemeengine/encoder/runtime.py" />
             <source>the network cannot be opened ({error}); get it anew</source>
             <translation>Das Netz lässt sich nicht öffnen ({error}); neu beschaffen</translation>
         </message>
@@ -10225,7 +10220,7 @@
             <translation>Die Laute einer Äußerung müssen innerhalb ihrer {duration} s liegen, gefunden {start}..{end} s; Zeiten korrigieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/recognition/rules.py" />
+            <location filename="../../../engine/phonemeengine/recognition/phoneme_data.py" />
             <source>the pitch set {name} must range upwards within {lowest}..{highest} Hz, got {low}..{high} Hz; correct it</source>
             <translation>Der Grundfrequenz-Satz {name} muss aufsteigend in {lowest}..{highest} Hz liegen, gefunden {low}..{high} Hz; korrigieren</translation>
         </message>
@@ -10535,7 +10530,7 @@
             <translation>Der Text wurde geändert, seit diese Wörter gesprochen wurden. Erneut sprechen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/rendering/textures.py" />
+            <location filename="../../../phonemeanalyser/rendering/materials.py" />
             <source>the texture {name} cannot be read ({reason}); export it again</source>
             <translation>Die Textur {name} ist nicht lesbar ({reason}); neu exportieren</translation>
         </message>
@@ -10585,12 +10580,12 @@
             <translation>das Fenster</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/rendering/offscreen.py" />
+            <location filename="../../../phonemeanalyser/rendering/renderer.py" />
             <source>the window's OpenGL cannot be used ({error}); update the graphics driver</source>
             <translation>Das OpenGL des Fensters ist nicht benutzbar ({error}); Grafiktreiber aktualisieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/recording.py" />
+            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
             <source>the words of its clips are missing</source>
             <translation>die Wörter ihrer Clips fehlen</translation>
         </message>
@@ -10635,7 +10630,7 @@
             <translation>Noch keine Beschriftungen. Eine Audiodatei mit Beschriftungsdatei öffnen, Takes aufnehmen, unter Kalibrieren beschriftete Aufnahmen laden oder Hinzufügen &gt; Ordner wählen.</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/exports/gltf.py" />
+            <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
             <source>there are no morph targets in it; put them into one file first, with: phonemeanalyser movestates export {path} TARGET... -o face.glb</source>
             <translation>Keine Morph-Targets enthalten; zuerst in einer Datei zusammenfassen mit: phonemeanalyser movestates export {path} TARGET... -o face.glb</translation>
         </message>
@@ -10665,7 +10660,7 @@
             <translation>Es gibt noch keine Ebenen. Beschriftungen laden mit Beschriftungen &gt; Beschriftungen laden.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/sound_words.py" />
             <source>There are no words to save; open an audio file and align its text first.</source>
             <translation>Keine Wörter zu speichern; zuerst eine Audiodatei öffnen und ihren Text ausrichten.</translation>
         </message>
@@ -10765,7 +10760,7 @@
             <translation>Kein Blendshape {name} vorhanden; einen davon wählen: {self}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/sound_words.py" />
             <source>There is no pause at the cursor for another word. Go to a pause, or split a word.</source>
             <translation>Am Cursor ist keine Pause für ein weiteres Wort. Zu einer Pause gehen oder ein Wort teilen.</translation>
         </message>
@@ -11080,7 +11075,7 @@
             <translation>Zeitleiste: Wörter und Phone über der Zeit</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/utterance.py" />
+            <location filename="../../../engine/phonemeengine/labels/label.py" />
             <source>times must be seconds from 0</source>
             <translation>Zeiten müssen Sekunden ab 0 sein</translation>
         </message>
@@ -11090,7 +11085,7 @@
             <translation>Bis</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>to</source>
             <translation>bis</translation>
         </message>
@@ -11350,12 +11345,12 @@
             <translation>Nicht abgeschlossener Text</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Up, Down</source>
             <translation>Auf, Ab</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Upper edge of the sonagram</source>
             <translation>Oberer Rand des Sonagramms</translation>
         </message>
@@ -11480,7 +11475,7 @@
             <translation>Variablen oder PhonemeData</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Vary mouth shapes and times slightly, as people do</source>
             <translation>Mundformen und Zeiten leicht variieren, wie bei Menschen</translation>
         </message>
@@ -11495,7 +11490,7 @@
             <translation>Eckpunkt {first} hat keine endliche Position ({points}); neu exportieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/export_kinds.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/exports.py" />
             <source>video of the head with its sound</source>
             <translation>Video des Kopfes mit Ton</translation>
         </message>
@@ -11635,12 +11630,12 @@
             <translation>WebAssembly und AudioWorklet, mit einer Seite, die einen sprechenden Kopf zeigt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Weight of the mouth shape {shape}</source>
             <translation>Gewicht der Mundform {shape}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>Weight of the mouth shape {shape}; with all weights at 0, speech alone moves the mouth</source>
             <translation>Gewicht der Mundform {shape}; sind alle Gewichte 0, bewegt allein die Sprache den Mund</translation>
         </message>
@@ -11665,7 +11660,7 @@
             <translation>Was mit der Datei auf der Platte geschah</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>What happens to the speech, the other mouth shapes and blinks while a slider is above 0: they stay, and all movements add up; all but blinks go to 0; blinks go to 0, too; or first the speech, then the other shapes are reduced until the sum is 100 % at most. Keys and buttons set everything but blinks to 0 while they are held</source>
             <translation>Was mit der Sprache, den anderen Mundformen und dem Blinzeln geschieht, solange ein Regler über 0 steht: Sie bleiben, und alle Bewegungen addieren sich; alles außer dem Blinzeln geht auf 0; auch das Blinzeln geht auf 0; oder erst die Sprache, dann die anderen Formen werden verringert, bis die Summe höchstens 100 % ist. Tasten und Schaltflächen setzen alles außer dem Blinzeln auf 0, solange sie gehalten werden</translation>
         </message>
@@ -11695,7 +11690,7 @@
             <translation>Was Regeln vergleichen dürfen: Frequenzbänder, mit passenden Filtern, oder die Variablen des Presets</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>What the figures are of: the visible part of the file, the whole file, or all takes and recordings loaded in Calibrate together with the open file</source>
             <translation>Wofür die Werte gelten: sichtbarer Teil der Datei, ganze Datei oder alle auf „Kalibrieren“ geladenen Takes und Aufnahmen mit der offenen Datei</translation>
         </message>
@@ -11810,7 +11805,7 @@
             <translation>Breite des Bildes in Pixeln</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Window</source>
             <translation>Fenster</translation>
         </message>
@@ -11820,12 +11815,12 @@
             <translation>Fenster</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Wireframe</source>
             <translation>Drahtgitter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/parts.py" />
             <source>Wireframe (W)</source>
             <translation>Drahtgitter (W)</translation>
         </message>
@@ -11895,12 +11890,12 @@
             <translation>Wörter sind gut oder schlecht mit -1..1, gefunden: {key}; berichtigen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
             <source>Words that fit the recording badly; choose one to play it</source>
             <translation>Wörter, die schlecht zur Aufnahme passen; eines wählen, um es abzuspielen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Words, if known (lanes below: words, syllables or letters, phones, units)</source>
             <translation>Wörter, falls bekannt (Spuren darunter: Wörter, Silben oder Buchstaben, Phone, Einheiten)</translation>
         </message>
@@ -11950,7 +11945,7 @@
             <translation>Nulldurchgänge im aktuellen Fenster von 46.4 ms</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <location filename="../../../phonemeanalyser/desktop/help.py" />
             <source>Zoom in, zoom out</source>
             <translation>Vergrößern, verkleinern</translation>
         </message>
@@ -11975,7 +11970,7 @@
             <translation>Auf die ganze Datei zoomen (Umschalt+A)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
             <source>Zoom to the whole length</source>
             <translation>Auf die ganze Länge zoomen</translation>
         </message>
@@ -12045,16 +12040,6 @@
             <translation>{clock} · Bild {picture}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>{cost} in the real-time model</source>
-            <translation>{cost} beim Echtzeitmodell</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>{cost} in the small network</source>
-            <translation>{cost} beim kleinen Netz</translation>
-        </message>
-        <message>
             <location filename="../../../engine/phonemeengine/mouth/files/io.py" />
             <source>{error}, or rename a target's file</source>
             <translation>{error}, oder die Datei eines Targets umbenennen</translation>
@@ -12080,7 +12065,7 @@
             <translation>{file} wurde verschoben oder gelöscht; die Analyse bleibt sichtbar</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/phone_sets.py" />
+            <location filename="../../../engine/phonemeengine/labels/phoneme_map.py" />
             <source>{file}, line {line}: {row} stands there twice; remove one of the rows</source>
             <translation>{file}, Zeile {line}: {row} steht zweimal da; eine der Zeilen entfernen</translation>
         </message>
@@ -12110,7 +12095,7 @@
             <translation>{file}, {place}: Ein Lexikon enthält einzelne Wörter, gefunden {word}; korrigieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/utterance.py" />
+            <location filename="../../../engine/phonemeengine/labels/label.py" />
             <source>{file}, {place}: labels must not overlap, found {following} after {raw} of {place_2}; move one of their borders</source>
             <translation>{file}, {place}: Beschriftungen dürfen sich nicht überlappen, gefunden {following} nach {raw} in {place_2}; eine Grenze verschieben</translation>
         </message>
@@ -12125,22 +12110,22 @@
             <translation>{file}, {place}: Die Klasse muss ein Phonem sein, die Zelle ist leer; ausfüllen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/utterance.py" />
+            <location filename="../../../engine/phonemeengine/labels/label.py" />
             <source>{file}, {place}: the label at {raw} lies beyond the end of the sound, which lasts {duration} s; check whether the labels belong to this sound</source>
             <translation>{file}, {place}: Die Beschriftung bei {raw} liegt hinter dem Ende der Audiodatei, die {duration} s dauert; prüfen, ob die Beschriftungen zu ihr gehören</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/utterance.py" />
+            <location filename="../../../engine/phonemeengine/labels/label.py" />
             <source>{file}, {place}: {fault}, found {raw}; correct the label</source>
             <translation>{file}, {place}: {fault}, gefunden {raw}; Beschriftung korrigieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/phone_sets.py" />
+            <location filename="../../../engine/phonemeengine/labels/phoneme_map.py" />
             <source>{file}: a mapping begins with format = {format}, found {document}; if a newer version of the program wrote it, use that</source>
             <translation>{file}: Eine Zuordnung beginnt mit format = {format}, gefunden {document}; stammt sie von einer neueren Programmversion, diese verwenden</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/phone_sets.py" />
+            <location filename="../../../engine/phonemeengine/labels/phoneme_map.py" />
             <source>{file}: a mapping is a table [phonemes] with lines like "AA" = "a"; write it like that</source>
             <translation>{file}: Eine Zuordnung ist eine Tabelle [phonemes] mit Zeilen wie "AA" = "a"; so schreiben</translation>
         </message>
@@ -12215,7 +12200,7 @@
             <translation>{file}: kein TextGrid; in Praat als TextGrid-Textdatei speichern</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/phone_sets.py" />
+            <location filename="../../../engine/phonemeengine/labels/phoneme_map.py" />
             <source>{file}: this is no TOML file ({error}); correct it</source>
             <translation>{file}: Keine TOML-Datei ({error}); korrigieren</translation>
         </message>
@@ -12230,7 +12215,7 @@
             <translation>{file}: Dieses TextGrid gehört zu {labelled} s Audio, die Audiodatei dauert aber {duration} s; prüfen, ob beide zusammengehören, oder das TextGrid in Praat kürzen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/phone_sets.py" />
+            <location filename="../../../engine/phonemeengine/labels/phoneme_map.py" />
             <source>{file}: {name} must stand for one of {phonemes_by_label}, found {phoneme}; correct it</source>
             <translation>{file}: {name} muss für eins stehen von {phonemes_by_label}, gefunden {phoneme}; korrigieren</translation>
         </message>
@@ -12390,7 +12375,7 @@
             <translation>{microphone} wurde getrennt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>{minutes:.1f} min labelled</source>
             <translation>{minutes:.1f} min beschriftet</translation>
         </message>
@@ -12585,7 +12570,7 @@
             <translation>{name} muss ein Faktor in {limits} sein, gefunden {factor}; anderen wählen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/recognition/rules.py" />
+            <location filename="../../../engine/phonemeengine/recognition/phoneme_data.py" />
             <source>{name} must be a finite number within ±3.4e38, got {value}; correct it</source>
             <translation>{name} muss eine endliche Zahl in ±3.4e38 sein, gefunden {value}; korrigieren</translation>
         </message>
@@ -12670,7 +12655,7 @@
             <translation>{name}, {rate:g} Silben/s</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>{name}, {start:.1f}–{end:.1f} s</source>
             <translation>{name}, {start:.1f}–{end:.1f} s</translation>
         </message>
@@ -12910,7 +12895,7 @@
             <translation>{name}: Der Prozess für diese Datei ist zweimal abgestürzt; einzeln versuchen oder weglassen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/morph_mesh.py" />
+            <location filename="../../../engine/phonemeengine/mouth/head.py" />
             <source>{name}: the program's own head cannot be read; install the program again</source>
             <translation>{name}: Der eingebaute Kopf ist nicht lesbar; Programm neu installieren</translation>
         </message>
@@ -12935,7 +12920,7 @@
             <translation>{name}: Für den Sprach-Encoder fehlt onnxruntime; phonemeanalyser[encoder] installieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/recording.py" />
+            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
             <source>{name}: the weights of a recording may have {largest_weights} MB, these have {nbytes} MB; cut it into sentences</source>
             <translation>{name}: Die Gewichte einer Aufnahme dürfen {largest_weights} MB belegen, diese {nbytes} MB; in Sätze schneiden</translation>
         </message>
@@ -13030,7 +13015,7 @@
             <translation>{name}: Dies ist ein Mesh ohne Morph-Targets; 'movestates export' verwenden</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/exports/gltf.py" />
+            <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
             <source>{name}: this is no face that can be moved; name a .glb, .vrm or .gltf (glTF 2.0), .obj or .x</source>
             <translation>{name}: Kein Gesicht, das sich bewegen lässt; .glb, .vrm oder .gltf (glTF 2.0), .obj oder .x angeben</translation>
         </message>
@@ -13120,7 +13105,7 @@
             <translation>{name}: {error}; eine mit „Kurve speichern“ erzeugte Datei wählen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/exports/gltf.py" />
+            <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
             <source>{name}: {fault}; save the face as one GLB file with everything in it</source>
             <translation>{name}: {fault}; das Gesicht als eine GLB-Datei mit allem darin speichern</translation>
         </message>
@@ -13250,7 +13235,7 @@
             <translation>Auf Zeile {begin} müssen {n} Zeilen mit Eckpunktnummer und Vektor folgen; korrigieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
             <source>{n} more</source>
             <translation>{n} weitere</translation>
         </message>
@@ -13280,17 +13265,17 @@
             <translation>{n} Punkte</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
             <source>{n} poor match</source>
             <translation>{n} passt schlecht</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
             <source>{n} poor matches</source>
             <translation>{n} passen schlecht</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>{n} recordings</source>
             <translation>{n} Aufnahmen</translation>
         </message>
@@ -13320,12 +13305,12 @@
             <translation>{n} Audiodateien</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
             <source>{n} word</source>
             <translation>{n} Wort</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
             <source>{n} words</source>
             <translation>{n} Wörter</translation>
         </message>
@@ -13445,7 +13430,7 @@
             <translation>{person}, nach der Sprache des Textes</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table.py" />
             <source>{phoneme}: attack {attack} ms, release {release} ms</source>
             <translation>{phoneme}: Attack {attack} ms, Release {release} ms</translation>
         </message>
@@ -13575,7 +13560,7 @@
             <translation>{range} Silben je Sekunde</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/commands.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
             <source>{rate}/s</source>
             <translation>{rate}/s</translation>
         </message>
@@ -13615,7 +13600,7 @@
             <translation>{rest}, {n} Kanäle zu einem gemischt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>{said} recognised as {recognised} for {seconds:.1f} s in total: go to an example</source>
             <translation>{said} als {recognised} erkannt, insgesamt {seconds:.1f} s: zu einem Beispiel springen</translation>
         </message>
@@ -13625,12 +13610,12 @@
             <translation>{said} erkannt als {taken}: {count} Frames von 10 ms, {share:.1%} von {said}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
             <source>{said}; boundaries fixed by the voice</source>
             <translation>{said}; Grenzen von der Stimme vorgegeben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/score_strip.py" />
             <source>{seconds:.1f} s labelled</source>
             <translation>{seconds:.1f} s beschriftet</translation>
         </message>
@@ -13655,7 +13640,7 @@
             <translation>{seconds:.2f} s: {shapes}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
             <source>{seconds:.2f} s: {word}</source>
             <translation>{seconds:.2f} s: {word}</translation>
         </message>
@@ -13770,7 +13755,7 @@
             <translation>{target}: Die vorhandene Datei entstand auf andere Weise und bleibt erhalten; anderen Ort wählen oder mit --overwrite ersetzen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/exports.py" />
             <source>{target}: {n} bytes of binary data</source>
             <translation>{target}: {n} Bytes Binärdaten</translation>
         </message>

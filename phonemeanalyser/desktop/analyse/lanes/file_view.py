@@ -15,7 +15,7 @@ from phonemeanalyser.desktop.analyse.lanes.course_lanes import CourseLanes, Held
 from phonemeanalyser.desktop.analyse.lanes.feeling_lane import feeling_tip, feeling_words
 from phonemeanalyser.desktop.analyse.lanes.file_layout import LANE, LEFT, FileLayout
 from phonemeanalyser.desktop.analyse.lanes.file_painter import FilePainter
-from phonemeanalyser.desktop.analyse.lanes.sonagram_choices import SonagramChoices
+from phonemeanalyser.desktop.analyse.lanes.sonagram import SonagramChoices
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.courses import Courses

@@ -13,8 +13,13 @@ from PySide6.QtWidgets import QGridLayout, QWidget
 from typing_extensions import override
 
 from phonemeanalyser.desktop.analyse.lanes import feeling_lane
-from phonemeanalyser.desktop.analyse.lanes.sonagram import SIDE, Overlaid, SonagramPainter, side_width
-from phonemeanalyser.desktop.analyse.lanes.sonagram_choices import SonagramChoices
+from phonemeanalyser.desktop.analyse.lanes.sonagram import (
+    SIDE,
+    Overlaid,
+    SonagramChoices,
+    SonagramPainter,
+    side_width,
+)
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.courses import Courses

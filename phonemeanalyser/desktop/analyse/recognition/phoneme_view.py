@@ -11,7 +11,7 @@ from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.session.pitch_set_words import pitch_set_in_words, pitch_set_name
+from phonemeanalyser.desktop.session.preset import pitch_set_in_words, pitch_set_name
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import AT_RIGHT, CENTRED, PHONEME_COLOURS, Theme, draw_text, set_size
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of

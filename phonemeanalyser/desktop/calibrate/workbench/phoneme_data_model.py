@@ -9,8 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from phonemeanalyser.desktop.calibrate.workbench.workbench_model import WorkbenchModel
 from phonemeanalyser.desktop.engine_words import recogniser_title
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.session.pitch_set_words import pitch_set_in_words
-from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.preset import PresetModel, pitch_set_in_words
 from phonemeanalyser.desktop.session.results import History
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.calibration.fits.fitting import fit_number, fit_pitch_set, fit_preset

@@ -1,1 +1,0 @@
-"""The strip that says how right what is recognised is."""
