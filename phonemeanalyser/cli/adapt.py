@@ -4,25 +4,10 @@ import argparse
 from dataclasses import replace
 from pathlib import Path
 
+import phonemeengine
 from phonemeanalyser.cli.arguments import SAID, add_map, add_options, given, refuse_unused
 from phonemeanalyser.cli.jobs import say_cut_off, say_note, sounds_in
 from phonemeanalyser.cli.parser import file_place
-from phonemeengine import (
-    Channel,
-    CorpusError,
-    LabelledUtterance,
-    PhonemeMap,
-    Preset,
-    PresetError,
-    SoundReader,
-    TakeError,
-    Utterance,
-    calibrate,
-    load_phoneme_map,
-    load_preset,
-    read_recordings,
-    save_preset,
-)
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.calibrate import CalibrationResult
 from phonemeengine.calibration.scores.corpus import is_labelled
@@ -79,7 +64,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Calibrate; returns the exit code."""
     if options.out.suffix.lower() != ".toml":
-        raise PresetError(f"{options.out}: an adapted preset's file ends in .toml; name it so")
+        raise phonemeengine.PresetError(f"{options.out}: an adapted preset's file ends in .toml; name it so")
     if not options.folders:
         if options.background_noise is None:
             options.parser.error(
@@ -87,23 +72,25 @@ def run(options: argparse.Namespace) -> int:
             )
         refuse_unused(options, (*SAID, "line", "map", "held-out"), "goes with recordings; give a FOLDER of them")
     Guard(nothing_is_own, options.overwrite).check(options.out)
-    preset = load_preset(options.preset)
+    preset = phonemeengine.load_preset(options.preset)
     room = _sound_of(options.background_noise, options.channel) if options.background_noise else None
     if options.folders:
         found = _calibrated(preset, room, options)
     else:
         assert room is not None
         found = _with_silence(preset, room, options)
-    save_preset(replace(found, name=options.out.stem), options.out)
+    phonemeengine.save_preset(replace(found, name=options.out.stem), options.out)
     return 0
 
 
-def _calibrated(preset: Preset, room: Float32Array | None, options: argparse.Namespace) -> Preset:
-    mapping = load_phoneme_map(options.map) if options.map else PhonemeMap()
+def _calibrated(
+    preset: phonemeengine.Preset, room: Float32Array | None, options: argparse.Namespace
+) -> phonemeengine.Preset:
+    mapping = phonemeengine.load_phoneme_map(options.map) if options.map else phonemeengine.PhonemeMap()
     held_out = _read(options.held_out, mapping, options.channel)
     takes = _read_aloud(options) or _read_labelled(options.folders, mapping, options.channel)
     say_cut_off([*takes, *held_out])
-    result = calibrate(preset, takes, held_out=held_out, room=room)
+    result = phonemeengine.calibrate(preset, takes, held_out=held_out, room=room)
     seconds = sum(utterance.labels[-1].end for utterance in takes if utterance.labels)
     several = "s" if len(takes) != 1 else ""
     print(f"{options.out}: {len(takes)} recording{several}, {seconds:.0f} s; {_gain_in_words(result)}")
@@ -114,10 +101,12 @@ def _calibrated(preset: Preset, room: Float32Array | None, options: argparse.Nam
     return result.preset
 
 
-def _with_silence(preset: Preset, room: Float32Array, options: argparse.Namespace) -> Preset:
+def _with_silence(
+    preset: phonemeengine.Preset, room: Float32Array, options: argparse.Namespace
+) -> phonemeengine.Preset:
     measured = measure_room(room, preset)
     if measured.notes:
-        raise TakeError(f"{options.background_noise.name}: {measured.notes[0]}")
+        raise phonemeengine.TakeError(f"{options.background_noise.name}: {measured.notes[0]}")
     found = measured.set_silence(preset)
     print(f"{options.out}: background noise of {measured}; {measured.silence_accuracy(found)}.")
     return found
@@ -138,7 +127,7 @@ def _gain_in_words(result: CalibrationResult) -> str:
     )
 
 
-def _read_aloud(options: argparse.Namespace) -> list[LabelledUtterance]:
+def _read_aloud(options: argparse.Namespace) -> list[phonemeengine.LabelledUtterance]:
     """Label the sounds of a speaker who reads by what is read; none where the command line does not say it."""
     is_told = any(given is not None for given in (options.line, options.text, options.script))
     sounds = sounds_in(options.folders) if is_told else options.folders
@@ -151,35 +140,45 @@ def _read_aloud(options: argparse.Namespace) -> list[LabelledUtterance]:
         return []
     found = [utterance for sound in sounds if (utterance := _labelled(sound, texts, options.channel))]
     if not found:
-        raise TakeError("no text is known for these recordings; name them in the script")
+        raise phonemeengine.TakeError("no text is known for these recordings; name them in the script")
     return found
 
 
-def _labelled(sound: Path, texts: SpokenTexts, channel: Channel) -> LabelledUtterance | None:
+def _labelled(
+    sound: Path, texts: SpokenTexts, channel: phonemeengine.Channel
+) -> phonemeengine.LabelledUtterance | None:
     """Label a sound by what is read in it; None where nothing says it."""
-    with SoundReader(sound, channel) as reader:
+    with phonemeengine.SoundReader(sound, channel) as reader:
         said = texts.script_of(sound, reader.duration, say_note)
     if said is None:
         return None
-    if isinstance(said, Utterance):
-        return LabelledUtterance(sound, labels_of(said), sound.stem, "read", channel)
+    if isinstance(said, phonemeengine.Utterance):
+        return phonemeengine.LabelledUtterance(sound, labels_of(said), sound.stem, "read", channel)
     return read_sentence(sound, said, channel)
 
 
-def _read_labelled(sources: list[Path], mapping: PhonemeMap, channel: Channel) -> list[LabelledUtterance]:
+def _read_labelled(
+    sources: list[Path], mapping: phonemeengine.PhonemeMap, channel: phonemeengine.Channel
+) -> list[phonemeengine.LabelledUtterance]:
     bare = next((source for source in sources if source.is_file() and not is_labelled(source)), None)
     if bare is not None:
-        raise CorpusError(
+        raise phonemeengine.CorpusError(
             f"{bare.name}: there is no label file beside this sound; say what is read with --line or --text, or put "
             "a .TextGrid, .csv or .txt file of the same name beside it"
         )
     return _read(sources, mapping, channel)
 
 
-def _read(sources: list[Path], mapping: PhonemeMap, channel: Channel) -> list[LabelledUtterance]:
-    return [utterance for source in sources for utterance in read_recordings(source, mapping, channel=channel)]
+def _read(
+    sources: list[Path], mapping: phonemeengine.PhonemeMap, channel: phonemeengine.Channel
+) -> list[phonemeengine.LabelledUtterance]:
+    return [
+        utterance
+        for source in sources
+        for utterance in phonemeengine.read_recordings(source, mapping, channel=channel)
+    ]
 
 
-def _sound_of(path: Path, channel: Channel) -> Float32Array:
-    with SoundReader(path, channel, as_it_is=True) as reader:
+def _sound_of(path: Path, channel: phonemeengine.Channel) -> Float32Array:
+    with phonemeengine.SoundReader(path, channel, as_it_is=True) as reader:
         return reader.read_mono(MOST_ROOM * SAMPLE_RATE)

@@ -14,27 +14,9 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from types import FrameType
 
+import phonemeengine
 from phonemeanalyser.cli.arguments import add_options, given
 from phonemeanalyser.cli.parser import number_in, whole_in
-from phonemeengine import (
-    FRAME_PERIOD,
-    Analysis,
-    Channel,
-    DeviceError,
-    InputChoice,
-    Listener,
-    OscExpression,
-    OscMouth,
-    Performer,
-    Phoneme,
-    Preset,
-    Recorder,
-    RecordingError,
-    devices,
-    load_preset,
-    load_table,
-    timed_frames,
-)
 from phonemeengine.analyser import latest_reading
 from phonemeengine.audio.resampling import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.audio.stream import chosen_input, inputs_of
@@ -95,8 +77,8 @@ def run(options: argparse.Namespace) -> int:
     return 0
 
 
-def _preset_of(options: argparse.Namespace) -> Preset:
-    preset = load_preset(options.preset).with_decoder(options.decoder)
+def _preset_of(options: argparse.Namespace) -> phonemeengine.Preset:
+    preset = phonemeengine.load_preset(options.preset).with_decoder(options.decoder)
     if options.look_ahead is not None:
         preset = replace(preset, settings=preset.settings.with_number("live_look_ahead", options.look_ahead))
     if options.model is not None:
@@ -118,16 +100,18 @@ def _osc_of(options: argparse.Namespace, stack: ExitStack) -> OscSettings | None
         return None
     streams = []
     if options.expression_osc is not None:
-        streams.append(stack.enter_context(OscExpression(OscAddress.of(options.expression_osc))))
+        streams.append(stack.enter_context(phonemeengine.OscExpression(OscAddress.of(options.expression_osc))))
     style = load_style(options.style or NEUTRAL)
     idle = style.on_idle(IdleMotion(expression=given(options).expressed(*streams)))
-    return OscSettings(OscAddress.of(options.osc), style.on_table(load_table(options.table)), idle.expression)
+    return OscSettings(
+        OscAddress.of(options.osc), style.on_table(phonemeengine.load_table(options.table)), idle.expression
+    )
 
 
 def _network_of(options: argparse.Namespace) -> FaceNetwork | None:
     if options.face_network is None:
         return None
-    if not {*load_table(options.table).movestates} <= {*FACE}:
+    if not {*phonemeengine.load_table(options.table).movestates} <= {*FACE}:
         options.parser.error(
             f"a network moves ARKit's blend shapes, and the table {options.table} has others; use arkit"
         )
@@ -137,7 +121,7 @@ def _network_of(options: argparse.Namespace) -> FaceNetwork | None:
 def add_input(parser: argparse.ArgumentParser) -> None:
     """Let the user choose the microphone, and what recognises it for how long."""
     parser.add_argument("--device", default="", metavar="NAME", help="microphone, by its name or a part of it")
-    add_options(parser, "preset", "channel", channel=Channel.LEFT)
+    add_options(parser, "preset", "channel", channel=phonemeengine.Channel.LEFT)
     rate = whole_in(LOWEST_RATE, HIGHEST_RATE, "Hz")
     parser.add_argument(
         "--rate", type=rate, default=0, metavar="HZ", help="sample rate (default: 44100 if supported)"
@@ -145,9 +129,9 @@ def add_input(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--seconds", type=number_in(0, math.inf, "s"), metavar="S", help="stop after S seconds")
 
 
-def input_of(options: argparse.Namespace) -> InputChoice:
+def input_of(options: argparse.Namespace) -> phonemeengine.InputChoice:
     """Return the microphone that the user chose."""
-    return InputChoice(options.device, options.channel.number, options.rate)
+    return phonemeengine.InputChoice(options.device, options.channel.number, options.rate)
 
 
 def list_devices() -> None:
@@ -157,21 +141,23 @@ def list_devices() -> None:
     ------
     DeviceError : there is none.
     """
-    found = inputs_of(devices())
+    found = inputs_of(phonemeengine.devices())
     if not found:
-        raise DeviceError("no microphone was found; connect one, or check that the audio system is running")
+        raise phonemeengine.DeviceError(
+            "no microphone was found; connect one, or check that the audio system is running"
+        )
     for device in found:
         star = "*" if device.is_default else " "
         print(f"{star} {device.label}  ({device.n_inputs} channels, {device.rate} Hz)")
 
 
 def listen(
-    preset: Preset,
-    choice: InputChoice,
+    preset: phonemeengine.Preset,
+    choice: phonemeengine.InputChoice,
     seconds: float | None,
     kind: str,
     osc: OscSettings | None = None,
-    open_listener: Callable[..., Listener] = Listener,
+    open_listener: Callable[..., phonemeengine.Listener] = phonemeengine.Listener,
     network: FaceNetwork | None = None,
 ) -> None:
     """Print a line at each change of phoneme, for some seconds or until Ctrl-C.
@@ -188,7 +174,7 @@ def listen(
     DeviceError : the microphone is not there.
     MouthError : the receiver of the mouth is unknown.
     """
-    chosen_input(choice, devices())
+    chosen_input(choice, phonemeengine.devices())
     feeling = FeelingEstimator()
     changes = ChangePrinter(json_line if kind == "json" else text_line)
     with _sending(osc) as performer, _quiet_libraries(), ended_by_signals():
@@ -196,13 +182,13 @@ def listen(
         if performer is not None:
             performer.play(face)
 
-        def follow(analysis: Analysis) -> None:
+        def follow(analysis: phonemeengine.Analysis) -> None:
             changes.follow(analysis)
             if performer is not None:
                 now = time.monotonic()
                 if follower is not None and face is not None:
                     face.add(follower.listen(analysis), now)
-                performer.add(timed_frames(analysis, now), now, live=True)
+                performer.add(phonemeengine.timed_frames(analysis, now), now, live=True)
                 if performer.feels:
                     performer.feel(feeling.follow(analysis.frames.windows), now)
 
@@ -220,13 +206,13 @@ def listen(
 
 def record(
     path: Path,
-    preset: Preset,
-    choice: InputChoice,
+    preset: phonemeengine.Preset,
+    choice: phonemeengine.InputChoice,
     seconds: float | None,
     *,
     with_phonemes: bool,
     fill_gaps: bool = False,
-    open_listener: Callable[..., Listener] = Listener,
+    open_listener: Callable[..., phonemeengine.Listener] = phonemeengine.Listener,
 ) -> None:
     """Record to a file, for some seconds or until Ctrl-C; see `Recorder`.
 
@@ -235,9 +221,9 @@ def record(
     DeviceError : the microphone is not there.
     RecordingError : the file cannot be written, or no sound came.
     """
-    chosen_input(choice, devices())
+    chosen_input(choice, phonemeengine.devices())
     limit = math.inf if seconds is None else seconds
-    recorder = Recorder(path, with_phonemes=with_phonemes, fill_gaps=fill_gaps, seconds=limit)
+    recorder = phonemeengine.Recorder(path, with_phonemes=with_phonemes, fill_gaps=fill_gaps, seconds=limit)
     with _quiet_libraries(), ended_by_signals():
         listener = open_listener(preset, choice, phonemes_only=True, recorder=recorder)
         try:
@@ -247,18 +233,18 @@ def record(
             recorder.close()
             _report(recorder, listener)
     if recorder.failure:
-        raise RecordingError(recorder.failure)
+        raise phonemeengine.RecordingError(recorder.failure)
     if not recorder.paths:
-        raise RecordingError(
+        raise phonemeengine.RecordingError(
             f"{path.name}: no sound came from the microphone, so nothing was recorded; check its plug"
         )
 
 
-def _late_in_words(latency: Latency, preset: Preset) -> str:
+def _late_in_words(latency: Latency, preset: phonemeengine.Preset) -> str:
     """Return the latency of phonemes, and how right they are with that look-ahead, where the training measured it."""
     shares = " + ".join(f"{name.replace('_', '-')} {1000 * share:.0f}" for name, share in asdict(latency).items())
     words = f"mean latency {1000 * latency.total:.0f} ms ({shares})"
-    figures = figures_ahead(for_live_use(preset), round(latency.look_ahead / FRAME_PERIOD))
+    figures = figures_ahead(for_live_use(preset), round(latency.look_ahead / phonemeengine.FRAME_PERIOD))
     if figures is None:
         return words
     shapes = f"mouth shapes {100 * figures.mouth_shapes:.0f} %"
@@ -266,13 +252,13 @@ def _late_in_words(latency: Latency, preset: Preset) -> str:
 
 
 @contextmanager
-def _sending(osc: OscSettings | None) -> Iterator[Performer | None]:
+def _sending(osc: OscSettings | None) -> Iterator[phonemeengine.Performer | None]:
     """Send what a performer shows meanwhile, and say at the end if nothing could be sent."""
     if osc is None:
         yield None
         return
-    performer = Performer(osc.table, replace(MOUTH_ALONE, expression=osc.expression))
-    mouth = OscMouth(osc.address, performer)
+    performer = phonemeengine.Performer(osc.table, replace(MOUTH_ALONE, expression=osc.expression))
+    mouth = phonemeengine.OscMouth(osc.address, performer)
     try:
         yield performer
     finally:
@@ -285,20 +271,22 @@ class ChangePrinter:
     """Prints a line whenever the phoneme is another."""
 
     def __init__(self, line_of: Callable[[float, str, float, float | None, float], str]) -> None:
-        self.listener: Listener | None = None
+        self.listener: phonemeengine.Listener | None = None
         self._line_of = line_of
         self._last = -1
 
-    def follow(self, analysis: Analysis) -> None:
+    def follow(self, analysis: phonemeengine.Analysis) -> None:
         """Look through the next frames."""
         for k, code in enumerate(analysis.phonemes.tolist()):
             if code != self._last:
                 self._last = code
                 frame = analysis.start + k
                 age = self.listener.age_of(frame) if self.listener else 0.0
-                began = self.listener.time_of(frame) if self.listener else frame * FRAME_PERIOD
+                began = self.listener.time_of(frame) if self.listener else frame * phonemeengine.FRAME_PERIOD
                 _, _, sure = latest_reading(analysis.part(slice(k, k + 1)))
-                line = self._line_of(began, Phoneme(code).label, float(analysis.intensities[k]), sure, 1000 * age)
+                line = self._line_of(
+                    began, phonemeengine.Phoneme(code).label, float(analysis.intensities[k]), sure, 1000 * age
+                )
                 sys.stdout.write(line + "\n")
                 sys.stdout.flush()
 
@@ -316,7 +304,7 @@ def json_line(time_s: float, phoneme: str, intensity: float, confidence: float |
     return json.dumps(values | {"confidence": sure, "latency_ms": round(latency_ms, 1)})
 
 
-def _attend(listener: Listener, seconds: float | None, look: Callable[[], None]) -> None:
+def _attend(listener: phonemeengine.Listener, seconds: float | None, look: Callable[[], None]) -> None:
     """Stay for a number of seconds of sound; report what happens to the microphone."""
     wanted = math.inf if seconds is None else seconds
     end = listener.clock() + wanted + PATIENCE
@@ -332,12 +320,12 @@ def _attend(listener: Listener, seconds: float | None, look: Callable[[], None])
             said = words
 
 
-def _check(recorder: Recorder) -> None:
+def _check(recorder: phonemeengine.Recorder) -> None:
     if recorder.failure:
-        raise RecordingError(recorder.failure)
+        raise phonemeengine.RecordingError(recorder.failure)
 
 
-def _report(recorder: Recorder, listener: Listener) -> None:
+def _report(recorder: phonemeengine.Recorder, listener: phonemeengine.Listener) -> None:
     lost = listener.lost_seconds - sum(gap.seconds for gap in recorder.gaps)
     other = " more" if recorder.gaps else ""
     missing = f", {lost:.2f} s{other} were lost on the way" if lost >= LEAST_LOSS else f", nothing{other} lost"

@@ -5,19 +5,9 @@ import math
 from collections.abc import Iterator
 from pathlib import Path
 
+import phonemeengine
 from phonemeanalyser.cli.arguments import add_examples, add_options
 from phonemeanalyser.cli.parser import file_place, number_in
-from phonemeengine import (
-    MeshError,
-    MorphTargets,
-    Movestate,
-    load_head,
-    load_morph_mesh,
-    load_morph_targets,
-    matched,
-    morph_targets_of,
-    save_morph_targets,
-)
 from phonemeengine.mouth.face_mapping import ENOUGH, guess_mapping, mapped_table
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES, deformed_states
 from phonemeengine.mouth.morph_mesh import TOLERANCE, Head
@@ -114,25 +104,27 @@ def run(options: argparse.Namespace) -> int:
 
 def _export(options: argparse.Namespace) -> Iterator[str]:
     Guard(nothing_is_own, options.overwrite).check(options.out)
-    base = load_morph_mesh(options.base)
+    base = phonemeengine.load_morph_mesh(options.base)
     states = deformed_states(base, options.targets)
     if not states:
-        raise MeshError(f"{options.base.name}: there are no morph targets in it; name the files of targets after it")
-    targets = morph_targets_of(base.mesh, states)
-    save_morph_targets(targets, options.out, base)
+        raise phonemeengine.MeshError(
+            f"{options.base.name}: there are no morph targets in it; name the files of targets after it"
+        )
+    targets = phonemeengine.morph_targets_of(base.mesh, states)
+    phonemeengine.save_morph_targets(targets, options.out, base)
     yield _summary(options.out, targets)
 
 
 def _map(options: argparse.Namespace) -> Iterator[str]:
     Guard(nothing_is_own, options.overwrite).check(options.out)
-    names = [state.name for state in load_morph_mesh(options.face).states]
+    names = [state.name for state in phonemeengine.load_morph_mesh(options.face).states]
     mapping = guess_mapping(names, options.basis)
     if not mapping.targets:
-        raise MeshError(
+        raise phonemeengine.MeshError(
             f"{options.face.name}: none of its {len(names)} shapes has a name that is known; name some anew"
         )
     text = table_to_toml(mapped_table(mapping, options.face.stem))
-    write_file(options.out, text.encode(errors="replace"), MeshError)
+    write_file(options.out, text.encode(errors="replace"), phonemeengine.MeshError)
     yield f"{options.out.name}: {len(mapping.targets)} of {len(mapping.ours)} movestates of {mapping.basis} are found"
     yield from (f"{ours}  {', '.join(shapes)}" for ours, shapes in mapping.targets.items())
     for what, left in (("not found", mapping.missing), ("left over", mapping.left_over)):
@@ -143,7 +135,7 @@ def _map(options: argparse.Namespace) -> Iterator[str]:
 def _info(options: argparse.Namespace) -> Iterator[str]:
     path: Path = options.file
     if path.suffix.lower() in MESH_SUFFIXES or str(path) in {*Head}:
-        morph_mesh = load_morph_mesh(path)
+        morph_mesh = phonemeengine.load_morph_mesh(path)
         mesh = morph_mesh.mesh
         yield f"{path.name}: {_many(len(mesh), 'vertex')}, {_many(len(mesh.triangles), 'triangle')}, " + _many(
             len(mesh.materials), "material"
@@ -158,31 +150,35 @@ def _info(options: argparse.Namespace) -> Iterator[str]:
 def _convert(options: argparse.Namespace) -> Iterator[str]:
     Guard(nothing_is_own, options.overwrite).check(options.out)
     targets = _targets_of(options.source)
-    morph_mesh = load_morph_mesh(options.source) if options.source.suffix.lower() not in TARGET_SUFFIXES else None
+    morph_mesh = (
+        phonemeengine.load_morph_mesh(options.source)
+        if options.source.suffix.lower() not in TARGET_SUFFIXES
+        else None
+    )
     if options.mesh is not None:
-        morph_mesh = load_morph_mesh(options.mesh)
-        as_it_was, targets = targets, matched(targets, morph_mesh.mesh, options.tolerance)
+        morph_mesh = phonemeengine.load_morph_mesh(options.mesh)
+        as_it_was, targets = targets, phonemeengine.matched(targets, morph_mesh.mesh, options.tolerance)
         if targets is not as_it_was:
             yield f"{options.source.name}: the vertices are renumbered as {options.mesh.name} has them"
-    save_morph_targets(targets, options.out, morph_mesh)
+    phonemeengine.save_morph_targets(targets, options.out, morph_mesh)
     yield _summary(options.out, targets)
 
 
-def _targets_of(path: Path) -> MorphTargets:
+def _targets_of(path: Path) -> phonemeengine.MorphTargets:
     if str(path) in {*Head}:
-        head = load_head(str(path))
-        return morph_targets_of(head.mesh, head.states)
-    return load_morph_targets(path)
+        head = phonemeengine.load_head(str(path))
+        return phonemeengine.morph_targets_of(head.mesh, head.states)
+    return phonemeengine.load_morph_targets(path)
 
 
-def _summary(path: Path, targets: MorphTargets) -> str:
+def _summary(path: Path, targets: phonemeengine.MorphTargets) -> str:
     size = path.stat().st_size / 1000
     return (
         f"{path.name}: {_many(len(targets.states), 'movestate')}, {len(targets.numbers)} vertices move, {size:.0f} kB"
     )
 
 
-def _table(states: tuple[Movestate, ...]) -> Iterator[str]:
+def _table(states: tuple[phonemeengine.Movestate, ...]) -> Iterator[str]:
     if not states:
         return
     width = max(9, *(len(state.name) for state in states))

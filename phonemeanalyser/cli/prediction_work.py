@@ -10,19 +10,8 @@ from typing import Any
 
 import numpy as np
 
+import phonemeengine
 from phonemeanalyser.cli.jobs import say_note
-from phonemeengine import (
-    AudioError,
-    EngineError,
-    LabelledUtterance,
-    Lexicon,
-    Preset,
-    ScriptWord,
-    TextError,
-    VoiceError,
-    load_lexicon,
-    words_of,
-)
 from phonemeengine.batch.work import Act, Job, Made, Outcome, Say, fingerprint_of
 from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder
 from phonemeengine.calibration.scores.corpus import frame_labels_of
@@ -53,37 +42,39 @@ class WordsToScore:
 
     texts: Mapping[Path, str]
     language: str | None
-    lexicon: Lexicon | None
+    lexicon: phonemeengine.Lexicon | None
     tags: frozenset[str]
     literal: bool = False
 
-    def __call__(self, utterance: LabelledUtterance) -> Sequence[ScriptWord] | None:
+    def __call__(self, utterance: phonemeengine.LabelledUtterance) -> Sequence[phonemeengine.ScriptWord] | None:
         """Return the words of a recording, and say at once what cannot be used; None where they are not known."""
         return self.of(utterance, say_note)
 
-    def of(self, utterance: LabelledUtterance, say: Say) -> Sequence[ScriptWord] | None:
+    def of(self, utterance: phonemeengine.LabelledUtterance, say: Say) -> Sequence[phonemeengine.ScriptWord] | None:
         """Return the words of a recording, and say what cannot be used; None where they are not known."""
         if utterance.path not in self.texts:
             return None
         try:
             text, language = self.texts[utterance.path], self._tag_of(utterance)
-            return words_of(text, language, self.lexicon, literal=self.literal)
-        except VoiceError:
+            return phonemeengine.words_of(text, language, self.lexicon, literal=self.literal)
+        except phonemeengine.VoiceError:
             raise
-        except TextError as error:
+        except phonemeengine.TextError as error:
             say(printable_name(utterance.path), f"recognised without its text: {error}")
             return None
 
-    def known_of(self, utterance: LabelledUtterance) -> str:
+    def known_of(self, utterance: phonemeengine.LabelledUtterance) -> str:
         """Return what tells whether something else is said in a recording than before."""
         text = self.texts.get(utterance.path)
         return fingerprint_of(text, self._tag_of(utterance), self.lexicon, self.literal)
 
-    def _tag_of(self, utterance: LabelledUtterance) -> str:
+    def _tag_of(self, utterance: phonemeengine.LabelledUtterance) -> str:
         return self.language or _tag_of(utterance.language, self.tags)
 
 
-def words_to_score(options: argparse.Namespace, utterances: Sequence[LabelledUtterance]) -> WordsToScore | None:
+def words_to_score(
+    options: argparse.Namespace, utterances: Sequence[phonemeengine.LabelledUtterance]
+) -> WordsToScore | None:
     """Return what gives the words of labelled recordings; None where the command line asks for none.
 
     Raises
@@ -96,8 +87,10 @@ def words_to_score(options: argparse.Namespace, utterances: Sequence[LabelledUtt
     if options.script is not None:
         texts = dict(load_script(options.script).texts_of([utterance.path for utterance in utterances])[0])
     if not texts:
-        raise EngineError("there is no text of what is said; add a column text to the manifest, or name a --script")
-    lexicon = None if options.lexicon is None else load_lexicon(options.lexicon)
+        raise phonemeengine.EngineError(
+            "there is no text of what is said; add a column text to the manifest, or name a --script"
+        )
+    lexicon = None if options.lexicon is None else phonemeengine.load_lexicon(options.lexicon)
     tags = frozenset(language.tag for language in languages())
     literal = options.literal or options.script is None  # a manifest tells what is said, and is no script
     return WordsToScore(texts, options.language, lexicon, tags, literal)
@@ -122,8 +115,8 @@ class PredictionWork:
     words : gives the words of a recording, which is then aligned with them.
     """
 
-    preset: Preset
-    utterances: tuple[LabelledUtterance, ...]
+    preset: phonemeengine.Preset
+    utterances: tuple[phonemeengine.LabelledUtterance, ...]
     delay: float
     noise: AddedNoise | None
     words: WordsToScore | None
@@ -156,7 +149,7 @@ class PredictionWork:
         ------
         EngineError : that of the work, where it was no fault of the sound; or its answers cannot be read again.
         """
-        if isinstance(outcome.made.value, EngineError):
+        if isinstance(outcome.made.value, phonemeengine.EngineError):
             raise outcome.made.value
         if outcome.job.target is None:
             found: Predictions = outcome.made.value
@@ -168,9 +161,9 @@ class PredictionWork:
         words = None if self.words is None else partial(self.words.of, say=say)
         try:
             found = predict(utterance, self.preset, delay=self.delay, noise=noise, words=words)
-        except AudioError:
+        except phonemeengine.AudioError:
             raise
-        except EngineError as error:
+        except phonemeengine.EngineError as error:
             if job.target is not None:
                 raise
             return Made(value=error)
@@ -181,7 +174,7 @@ class PredictionWork:
         self._write(found, job.target)
         return Made(duration, utterance.language)
 
-    def _name_of(self, utterance: LabelledUtterance) -> str:
+    def _name_of(self, utterance: phonemeengine.LabelledUtterance) -> str:
         about = str(utterance.path), utterance.channel, utterance.voice
         return f"{utterance.path.stem}-{fingerprint_of(*about)[:12]}.npz"
 
@@ -193,9 +186,9 @@ class PredictionWork:
                 np.savez(file, **arrays)
         except OSError as error:
             words = f"{printable_name(target)}: cannot be written ({reason_of(error)}); choose another folder"
-            raise AudioError(words) from error
+            raise phonemeengine.AudioError(words) from error
 
-    def _read(self, utterance: LabelledUtterance, path: Path) -> Predictions:
+    def _read(self, utterance: phonemeengine.LabelledUtterance, path: Path) -> Predictions:
         try:
             arrays = read_npz(path, LARGEST)
             labels = frame_labels_of(utterance.labels)

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
+import phonemeengine
 from phonemeanalyser.cli.arguments import HEARD, add_batch, add_map, add_options, refuse_unused
 from phonemeanalyser.cli.jobs import file_preset, say_cut_off, share_paths, work_through
 from phonemeanalyser.cli.parser import number_in, whole_in
@@ -16,18 +17,6 @@ from phonemeanalyser.cli.prediction_work import PredictionWork, words_to_score
 from phonemeanalyser.reports.figures import json_of, text_of
 from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset
-from phonemeengine import (
-    AudioError,
-    Channel,
-    EngineError,
-    LabelledUtterance,
-    ModelKind,
-    PhonemeMap,
-    Preset,
-    PresetError,
-    load_phoneme_map,
-    read_recordings,
-)
 from phonemeengine.batch.runner import BatchOptions
 from phonemeengine.batch.work import JobState, Outcome
 from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR, AddedNoise, NoiseKind
@@ -49,7 +38,7 @@ class Named:
     """A preset, the title that tells it from another one, and where it came from."""
 
     title: str
-    preset: Preset
+    preset: phonemeengine.Preset
 
 
 EXAMPLES = (
@@ -64,7 +53,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv, or with sounds beside label files"
     )
-    add_options(parser, *HEARD, model=ModelKind.REAL_TIME)
+    add_options(parser, *HEARD, model=phonemeengine.ModelKind.REAL_TIME)
     parser.add_argument("--against", type=Path, metavar="B", help="second preset to compare with")
     parser.add_argument(
         "--format",
@@ -107,7 +96,7 @@ def run(options: argparse.Namespace) -> int:
         Guard(nothing_is_own, options.overwrite).check(out)
     presets = _presets_of(options)
     noise = None if options.noise is None else AddedNoise(NoiseKind(options.noise), options.snr, options.seed)
-    mapping = None if options.map is None else load_phoneme_map(options.map)
+    mapping = None if options.map is None else phonemeengine.load_phoneme_map(options.map)
     troubles: list[str] = []
     utterances = _recordings_in(options.corpus, mapping, options.channel, troubles)
     words = words_to_score(options, utterances)
@@ -139,7 +128,9 @@ def _write_errors(scored: Sequence[ScoredPreset], path: Path) -> None:
                 )
 
 
-def _write_numbers(presets: Sequence[Named], utterances: Sequence[LabelledUtterance], path: Path) -> None:
+def _write_numbers(
+    presets: Sequence[Named], utterances: Sequence[phonemeengine.LabelledUtterance], path: Path
+) -> None:
     """Write the numbers of the first preset, those of the second beside them, and what they divide."""
     data = [named.preset.phoneme_data for named in presets]
     rows = number_rows(LabelledFeatures(utterances, presets[0].preset))
@@ -150,13 +141,13 @@ def _write_numbers(presets: Sequence[Named], utterances: Sequence[LabelledUttera
 
 
 def _recordings_in(
-    folder: Path, mapping: PhonemeMap | None, channel: Channel, troubles: list[str]
-) -> tuple[LabelledUtterance, ...]:
-    def refuse(error: AudioError) -> None:
+    folder: Path, mapping: phonemeengine.PhonemeMap | None, channel: phonemeengine.Channel, troubles: list[str]
+) -> tuple[phonemeengine.LabelledUtterance, ...]:
+    def refuse(error: phonemeengine.AudioError) -> None:
         troubles.append(str(error))
         tqdm.write(f"phonemeanalyser: {error}", file=sys.stderr)
 
-    utterances = read_recordings(folder, mapping, channel=channel, on_skipped=refuse)
+    utterances = phonemeengine.read_recordings(folder, mapping, channel=channel, on_skipped=refuse)
     say_cut_off(utterances)
     return utterances
 
@@ -169,7 +160,7 @@ def _scored(
     def take(outcome: Outcome) -> None:
         if outcome.state is JobState.FAILED:
             troubles.append(outcome.words)
-        elif isinstance(outcome.made.value, EngineError):
+        elif isinstance(outcome.made.value, phonemeengine.EngineError):
             raise outcome.made.value
 
     how = BatchOptions(options.jobs, keep, options.dask)
@@ -185,7 +176,7 @@ def _presets_of(options: argparse.Namespace) -> list[Named]:
         return [Named(printable(one.name), one)]
     other = file_preset(options, against)
     if one == other:
-        raise PresetError(
+        raise phonemeengine.PresetError(
             f"{printable_name(first)} and {printable_name(against)} hold the same preset; name two that differ"
         )
     titles = [one.name, other.name]

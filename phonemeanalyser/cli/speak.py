@@ -10,25 +10,10 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+import phonemeengine
 from phonemeanalyser.cli.arguments import MOVED, add_options, format_of, given, refuse_unused
 from phonemeanalyser.cli.jobs import say_note
 from phonemeanalyser.cli.parser import number
-from phonemeengine import (
-    DeviceError,
-    EngineError,
-    Lexicon,
-    SilentText,
-    SoundReader,
-    TextError,
-    Transcript,
-    Utterance,
-    Voice,
-    VoiceError,
-    load_lexicon,
-    load_preset,
-    speak_by_program,
-    transcribe,
-)
 from phonemeengine.audio.output import Output, open_output
 from phonemeengine.conversion.driving import DriverChoice, Driving
 from phonemeengine.conversion.options import DRIVEN, ConversionOptions
@@ -132,7 +117,7 @@ def _files_of(options: argparse.Namespace, asked: ConversionOptions, driving: Dr
 
 def _text_of(options: argparse.Namespace) -> str:
     if options.file is not None:
-        return read_text_file(options.file, LARGEST, "a text", TextError)
+        return read_text_file(options.file, LARGEST, "a text", phonemeengine.TextError)
     return options.text or ""
 
 
@@ -144,15 +129,18 @@ def _language_of(options: argparse.Namespace, text: str) -> str:
 
 def _spoken(options: argparse.Namespace, text: str, driving: Driving) -> Iterator[SpokenSentence]:
     """Return what a voice or a program says, and say what of the text it does not."""
-    language, lexicon = _language_of(options, text), load_lexicon(options.lexicon) if options.lexicon else Lexicon()
+    language, lexicon = (
+        _language_of(options, text),
+        phonemeengine.load_lexicon(options.lexicon) if options.lexicon else phonemeengine.Lexicon(),
+    )
     if options.program is None:
-        voice = Voice(language, options.voice, options.rate, lexicon, driving.pinyin)
+        voice = phonemeengine.Voice(language, options.voice, options.rate, lexicon, driving.pinyin)
         sentences = _with_notes(voice.speak(text, literal=options.literal), language)
     else:
-        sentence = speak_by_program(
+        sentence = phonemeengine.speak_by_program(
             options.program, text, language=language, lexicon=lexicon, literal=options.literal
         )
-        said = Utterance(sentence.words, sentence.duration, language, sentence.skipped)
+        said = phonemeengine.Utterance(sentence.words, sentence.duration, language, sentence.skipped)
         say_misfits("the sound of the program", said, say_note)
         sentences = iter([sentence])
     for note in notes_on(text, language, literal=options.literal):
@@ -188,12 +176,14 @@ def play_aloud(sentences: Iterable[SpokenSentence], open_device: Callable[[int],
     DeviceError : there is no sound card, or it has gone and does not come back.
     """
     spooled = SpooledSpeech(sentences)
-    player = Player(spooled, load_preset(DEFAULT_PRESET), open_device, waits=True)
+    player = Player(spooled, phonemeengine.load_preset(DEFAULT_PRESET), open_device, waits=True)
     try:
         player.play()
         _follow(player, spooled)
-    except DeviceError as error:
-        raise DeviceError(f"{error}; to write the sound into a file instead, name it with -o") from error
+    except phonemeengine.DeviceError as error:
+        raise phonemeengine.DeviceError(
+            f"{error}; to write the sound into a file instead, name it with -o"
+        ) from error
     finally:
         player.close()
 
@@ -216,13 +206,21 @@ def _follow(player: Player, spooled: SpooledSpeech) -> None:
 
 def _check_without_voice(options: argparse.Namespace, files: SpeechFiles) -> None:
     if options.performance_sound:
-        raise EngineError("without sound no recording speaks; leave --performance-sound, --silent or --recording out")
+        raise phonemeengine.EngineError(
+            "without sound no recording speaks; leave --performance-sound, --silent or --recording out"
+        )
     if files.nothing:
-        raise EngineError("there is nothing to write; ask for the plan with --plan, or for a file with --export")
+        raise phonemeengine.EngineError(
+            "there is nothing to write; ask for the plan with --plan, or for a file with --export"
+        )
     if files.sound is not None or files.labels is not None:
-        raise EngineError("without a voice there are no sound and labels to write; leave --silent or --recording out")
+        raise phonemeengine.EngineError(
+            "without a voice there are no sound and labels to write; leave --silent or --recording out"
+        )
     if options.lexicon is not None and options.recording is not None:
-        raise EngineError("a lexicon is for a text, and says nothing of a recording; leave --lexicon out")
+        raise phonemeengine.EngineError(
+            "a lexicon is for a text, and says nothing of a recording; leave --lexicon out"
+        )
 
 
 def _move_without_voice(options: argparse.Namespace, files: SpeechFiles, text: str) -> None:
@@ -230,8 +228,8 @@ def _move_without_voice(options: argparse.Namespace, files: SpeechFiles, text: s
     if options.recording is not None:
         files.write_said(*_labelled(options))
         return
-    lexicon = load_lexicon(options.lexicon) if options.lexicon else Lexicon()
-    silent = SilentText(
+    lexicon = phonemeengine.load_lexicon(options.lexicon) if options.lexicon else phonemeengine.Lexicon()
+    silent = phonemeengine.SilentText(
         text, _language_of(options, text), files.driving.pinyin, options.rate, options.seed, lexicon, options.literal
     )
     if skipped := files.write_silent(silent, options.file.name if options.file else "text"):
@@ -239,14 +237,16 @@ def _move_without_voice(options: argparse.Namespace, files: SpeechFiles, text: s
         say_note("the text", f"{named} has no sound that is known, and is left out{_missing(skipped)}")
 
 
-def _labelled(options: argparse.Namespace) -> tuple[Utterance, Transcript]:
+def _labelled(options: argparse.Namespace) -> tuple[phonemeengine.Utterance, phonemeengine.Transcript]:
     """Return what is said in ``--recording``, as the TextGrid beside it has it, and how loud and high."""
-    with SoundReader(options.recording, options.channel) as reader:
+    with phonemeengine.SoundReader(options.recording, options.channel) as reader:
         labels = read_utterance(options.recording.with_suffix(".TextGrid"), reader.duration)
     utterance = replace(labels, language=options.language or "")
-    preset = load_preset(options.preset)
+    preset = phonemeengine.load_preset(options.preset)
     felt = given(options).feeling is not None
-    speech = transcribe(options.recording, preset, channel=options.channel, pitch=True, script=utterance, felt=felt)
+    speech = phonemeengine.transcribe(
+        options.recording, preset, channel=options.channel, pitch=True, script=utterance, felt=felt
+    )
     return utterance, speech
 
 
@@ -255,6 +255,6 @@ def _missing(skipped: Sequence[str]) -> str:
     try:
         if any(word[0].isascii() for word in skipped):
             language_of(ENGLISH)
-    except VoiceError as error:
+    except phonemeengine.VoiceError as error:
         return f"; {error}"
     return ""

@@ -9,20 +9,7 @@ from functools import partial
 from pathlib import Path
 from types import TracebackType
 
-from PySide6.QtCore import (
-    QCoreApplication,
-    QEvent,
-    QEventLoop,
-    QLocale,
-    QMessageLogContext,
-    QObject,
-    QSettings,
-    QStandardPaths,
-    QTimer,
-    QtMsgType,
-    Signal,
-    qInstallMessageHandler,
-)
+from PySide6 import QtCore
 from PySide6.QtGui import QFileOpenEvent, QIcon, QSurfaceFormat
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 from typing_extensions import override
@@ -46,7 +33,7 @@ from phonemeengine.settings import Channel
 COLLECT_EVERY_MS = 1000
 
 
-class WindowThreadCollector(QObject):
+class WindowThreadCollector(QtCore.QObject):
     """Collects garbage while the event loop runs, in the thread in which it was made; nothing else does until closed.
 
     Python collects in whichever thread allocates when it is due. Qt's objects must be destroyed in the thread in
@@ -60,7 +47,7 @@ class WindowThreadCollector(QObject):
         super().__init__()
         gc.disable()
         gc.freeze()
-        self._timer = QTimer(self, interval=COLLECT_EVERY_MS)
+        self._timer = QtCore.QTimer(self, interval=COLLECT_EVERY_MS)
         self._timer.timeout.connect(self.collect)
         self._timer.start()
 
@@ -106,12 +93,12 @@ class Desktop:
     def __init__(
         self,
         app: QApplication,
-        settings: QSettings,
+        settings: QtCore.QSettings,
         open_device: Callable[[int], Output] = open_output,
         microphone: Microphone | None = None,
         preset: PresetModel | None = None,
     ) -> None:
-        QLocale.setDefault(QLocale.c())  # one decimal sign everywhere, the point, as in all our files
+        QtCore.QLocale.setDefault(QtCore.QLocale.c())  # one decimal sign everywhere, the point, as in all our files
         self._app = app
         self._settings = settings
         self.files = FileAsker(settings)
@@ -134,7 +121,9 @@ class Desktop:
         self.window.close_without_asking()
         for closed in (*reversed(models), self.session, self.preset):
             closed.deleteLater()
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)  # in this order; no event loop runs now
+        QtCore.QCoreApplication.sendPostedEvents(
+            None, QtCore.QEvent.Type.DeferredDelete
+        )  # in this order; no event loop runs now
         self._settings.sync()
 
     def save(self) -> None:
@@ -226,7 +215,7 @@ class Desktop:
             self.set_theme("system")
 
 
-class FirstPaint(QObject):
+class FirstPaint(QtCore.QObject):
     """Waits until a window is seen.
 
     Signals
@@ -234,21 +223,21 @@ class FirstPaint(QObject):
     painted : the window has been painted, a moment ago, for the first time.
     """
 
-    painted = Signal()
+    painted = QtCore.Signal()
 
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
         window.installEventFilter(self)
 
     @override
-    def eventFilter(self, window: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Paint:
+    def eventFilter(self, window: QtCore.QObject, event: QtCore.QEvent) -> bool:
+        if event.type() == QtCore.QEvent.Type.Paint:
             window.removeEventFilter(self)
-            QTimer.singleShot(AFTER_PAINTING_MS, self.painted.emit)
+            QtCore.QTimer.singleShot(AFTER_PAINTING_MS, self.painted.emit)
         return False
 
 
-class FileRequests(QObject):
+class FileRequests(QtCore.QObject):
     """Takes the files that macOS asks a running program to open, which come as events and not as arguments.
 
     Signals
@@ -256,14 +245,14 @@ class FileRequests(QObject):
     asked : the file to open.
     """
 
-    asked = Signal(Path)
+    asked = QtCore.Signal(Path)
 
     def __init__(self, app: QApplication) -> None:
         super().__init__(app)
         app.installEventFilter(self)
 
     @override
-    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+    def eventFilter(self, _watched: QtCore.QObject, event: QtCore.QEvent) -> bool:
         if isinstance(event, QFileOpenEvent) and event.file():
             self.asked.emit(Path(event.file()))
             return True
@@ -296,7 +285,7 @@ def run(file: Path | None, demo: Path, preset: Path | None = None, channel: Chan
 
 
 def _run(app: QApplication, file: Path | None, demo: Path, preset: Path | None, channel: Channel | None) -> int:
-    settings, collector = QSettings(), WindowThreadCollector()
+    settings, collector = QtCore.QSettings(), WindowThreadCollector()
     desktop = Desktop(app, settings)
     dialogs, unsaved = desktop.window.dialogs, UnsavedChanges(desktop.preset, _data_folder(), settings)
     keeper = SessionKeeper(app, desktop.save, unsaved)
@@ -320,11 +309,13 @@ def _run(app: QApplication, file: Path | None, demo: Path, preset: Path | None, 
 
 
 def _settings_folder() -> Path:
-    return Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppConfigLocation)).parent
+    return Path(
+        QtCore.QStandardPaths.writableLocation(QtCore.QStandardPaths.StandardLocation.AppConfigLocation)
+    ).parent
 
 
 def _data_folder() -> Path:
-    return Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation))
+    return Path(QtCore.QStandardPaths.writableLocation(QtCore.QStandardPaths.StandardLocation.AppDataLocation))
 
 
 def _begin(desktop: Desktop, file: Path | None, last_sound: Path, channel: Channel | None) -> None:
@@ -358,9 +349,9 @@ def screenshot(
     EngineError : the sound or the preset cannot be read, or the picture cannot be written.
     """
     app = make_application()
-    qInstallMessageHandler(_pass_message)
+    QtCore.qInstallMessageHandler(_pass_message)
     with tempfile.TemporaryDirectory() as folder:
-        settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
+        settings = QtCore.QSettings(str(Path(folder) / "settings.ini"), QtCore.QSettings.Format.IniFormat)
         settings.setValue("theme", theme)
         settings.setValue("language", language)
         desktop = Desktop(app, settings, lambda _n: ClockOutput())
@@ -373,7 +364,7 @@ def screenshot(
             desktop.window.redraw.refresh_all()
             desktop.window.grab()  # what is looked at is measured
             while desktop.session.busy:
-                app.processEvents(QEventLoop.ProcessEventsFlag.AllEvents, PATIENCE_MS)
+                app.processEvents(QtCore.QEventLoop.ProcessEventsFlag.AllEvents, PATIENCE_MS)
             app.processEvents()
             saved = desktop.window.grab().save(str(out), "PNG")
         finally:
@@ -394,7 +385,7 @@ def _follow(session: Session, file: Path, at: float | None, channel: Channel) ->
     session.analyse_until(session.source.duration if at is None else at)
 
 
-def _pass_message(_kind: QtMsgType, _context: QMessageLogContext, message: str) -> None:
+def _pass_message(_kind: QtCore.QtMsgType, _context: QtCore.QMessageLogContext, message: str) -> None:
     """Pass Qt's messages on, but for one that every window makes that is not on a screen."""
     if "propagateSizeHints" not in message:
         print(message, file=sys.stderr)

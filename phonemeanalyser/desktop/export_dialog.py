@@ -12,17 +12,7 @@ from typing_extensions import override
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.export_choices import ExportChoices
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.session.exports import (
-    EXPORT_KINDS,
-    ExportJob,
-    ExportOrder,
-    ExportQueue,
-    ExportState,
-    FaceInUse,
-    in_the_way,
-    sounds_in,
-    work_of,
-)
+from phonemeanalyser.desktop.session import exports
 from phonemeanalyser.desktop.settings import in_program, keep, outside_program
 from phonemeanalyser.desktop.theme import format_clock
 from phonemeanalyser.desktop.widgets.builders import column, label, named, row
@@ -71,17 +61,17 @@ class ExportDialog(QtWidgets.QDialog):
         settings: QSettings,
         parent: QtWidgets.QWidget,
         presets: Callable[[], Sections] = dict,
-        face: FaceInUse | None = None,
+        face: exports.FaceInUse | None = None,
         files: FileAsker | None = None,
     ) -> None:
         super().__init__(parent)
         self._settings = settings
-        self._face, self._asker = face or FaceInUse(), files or FileAsker(settings)
+        self._face, self._asker = face or exports.FaceInUse(), files or FileAsker(settings)
         self._sounds: list[Path] = []
         self._folder: Path | None = None
         self._shown: dict[int, tuple[str, ...]] = {}
         self.question: QtWidgets.QMessageBox | None = None
-        self.queue = ExportQueue()
+        self.queue = exports.ExportQueue()
         self.setWindowTitle(tr("Export"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         drops = FileDrops(self, lambda: not self.queue.busy)
@@ -103,7 +93,7 @@ class ExportDialog(QtWidgets.QDialog):
     def add(self, paths: list[Path]) -> None:
         """Add sounds, and those in folders."""
         if not self.choices.is_text:
-            self._sounds = list(dict.fromkeys([*self._sounds, *sounds_in(paths)]))
+            self._sounds = list(dict.fromkeys([*self._sounds, *exports.sounds_in(paths)]))
         self.write_into(self._folder)
 
     # -- how it is made -----------------------------------------------------------------------------------
@@ -207,7 +197,7 @@ class ExportDialog(QtWidgets.QDialog):
 
     def _show_end(self) -> None:
         states = [job.state for job in self.queue.jobs]
-        parts = [f"{states.count(state)} {tr(state.value)}" for state in ExportState if state in states]
+        parts = [f"{states.count(state)} {tr(state.value)}" for state in exports.ExportState if state in states]
         self.told.setText(", ".join(parts))
         self._show_progress()
 
@@ -251,14 +241,14 @@ class ExportDialog(QtWidgets.QDialog):
         if order is not None:
             keep(self._settings, "export/kind", order.kind)
             self.told.clear()
-            targets = targets_of(self._sounds, self._folder, EXPORT_KINDS[order.kind].ending)
-            there = in_the_way(targets, order, self._folder)
+            targets = targets_of(self._sounds, self._folder, exports.EXPORT_KINDS[order.kind].ending)
+            there = exports.in_the_way(targets, order, self._folder)
             if there:
                 self._ask_to_replace(targets, order, there)
             else:
                 self.queue.start(targets, order, self._folder)
 
-    def _ask_to_replace(self, targets: dict[Path, Path], order: ExportOrder, there: list[Path]) -> None:
+    def _ask_to_replace(self, targets: dict[Path, Path], order: exports.ExportOrder, there: list[Path]) -> None:
         """Ask what becomes of files that are there already, made in another way or by others."""
         words = tr("{name} already exists.") if len(there) == 1 else tr("{n} files already exist, such as {name}.")
         self.question = QtWidgets.QMessageBox(
@@ -281,11 +271,11 @@ class ExportDialog(QtWidgets.QDialog):
         self.question.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.question.open()
 
-    def _checked_order(self) -> ExportOrder | None:
+    def _checked_order(self) -> exports.ExportOrder | None:
         """Return what the sounds are turned into; None, after saying why, where that cannot be done."""
         try:
             order = self.choices.order()
-            work_of(order)
+            exports.work_of(order)
         except EngineError as error:
             self.told.setText(tr_engine(str(error)))
             return None
@@ -310,6 +300,6 @@ class ExportDialog(QtWidgets.QDialog):
         self.queue.close()
 
 
-def _with_notes(job: ExportJob) -> str:
+def _with_notes(job: exports.ExportJob) -> str:
     """Return what a sound becomes, with what is odd about it."""
     return " – ".join((str(job.target), *map(tr_engine, job.notes)))

@@ -11,19 +11,9 @@ from itertools import combinations, pairwise
 from pathlib import Path
 from typing import Any
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QObject, Qt, QUrl, Signal
 from PySide6.QtGui import QDesktopServices, QHelpEvent, QTextCursor, QTextDocument, QWhatsThisClickedEvent
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QApplication,
-    QDialog,
-    QLabel,
-    QLineEdit,
-    QListWidget,
-    QTextBrowser,
-    QWhatsThis,
-    QWidget,
-)
 from typing_extensions import override
 
 from phonemeanalyser.desktop.language import WRITTEN_IN, language_in_use, tr, tr_noop
@@ -67,7 +57,7 @@ _HEADING = re.compile(r"^#+\s+(.*)$", re.MULTILINE)
 _NO_LETTER = re.compile(r"[^\w\- ]")
 
 
-class ManualDialog(QDialog):
+class ManualDialog(QtWidgets.QDialog):
     """Shows the pages with a list of them and a field that searches.
 
     Attributes
@@ -75,17 +65,17 @@ class ManualDialog(QDialog):
     pages, text, field : the list, the page, and what is searched for.
     """
 
-    def __init__(self, parent: QWidget) -> None:
+    def __init__(self, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(tr("Manual"))
         self.resize(*SIZE)
-        self.pages = named(QListWidget(), tr("Manual pages"))
+        self.pages = named(QtWidgets.QListWidget(), tr("Manual pages"))
         self.pages.addItems([title_of(page) for page in PAGES])
         self.pages.setFixedWidth(max(LIST_WIDTH, self.pages.sizeHintForColumn(0) + 2 * self.pages.frameWidth()))
-        self.text = named(QTextBrowser(), tr("Page"))
+        self.text = named(QtWidgets.QTextBrowser(), tr("Page"))
         self.text.setOpenLinks(False)
-        self.field = named(QLineEdit(), tr("Search the manual"))
+        self.field = named(QtWidgets.QLineEdit(), tr("Search the manual"))
         self.field.setPlaceholderText(tr("Search"))
         self.field.setClearButtonEnabled(True)
         self.pages.currentRowChanged.connect(lambda row: self._show(PAGES[row]))
@@ -141,15 +131,15 @@ class ManualDialog(QDialog):
             block = block.next()
 
 
-class LicencesDialog(QDialog):
+class LicencesDialog(QtWidgets.QDialog):
     """Shows the parts of the program with their licences, whole."""
 
-    def __init__(self, parent: QWidget) -> None:
+    def __init__(self, parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(tr("Licences"))
         self.resize(*SIZE)
-        text = named(QTextBrowser(), tr("Licences of all components"))
+        text = named(QtWidgets.QTextBrowser(), tr("Licences of all components"))
         text.setMarkdown(licences_text(tr("Licences"), (tr("Component"), tr("Licence"), tr("Includes"))))
         column(text, dialog_buttons(self, CLOSE), on=self, margins=None)
 
@@ -299,16 +289,16 @@ class WhatIsThis(QObject):
 
     page_asked = Signal(str)
 
-    def __init__(self, window: QWidget) -> None:
+    def __init__(self, window: QtWidgets.QWidget) -> None:
         super().__init__(window)
         self._window = window
 
     def begin(self) -> None:
         """Have the next click ask."""
-        app = QApplication.instance()
+        app = QtWidgets.QApplication.instance()
         assert app is not None
         app.installEventFilter(self)  # not before: each event of the program goes through it
-        QWhatsThis.enterWhatsThisMode()
+        QtWidgets.QWhatsThis.enterWhatsThisMode()
 
     @override
     def eventFilter(self, asked: QObject, event: QEvent) -> bool:
@@ -316,18 +306,18 @@ class WhatIsThis(QObject):
         kinds = QEvent.Type
         if event.type() not in {kinds.QueryWhatsThis, kinds.WhatsThis, kinds.WhatsThisClicked}:
             return False
-        if not isinstance(asked, QWidget) or asked.window() is not self._window:
+        if not isinstance(asked, QtWidgets.QWidget) or asked.window() is not self._window:
             return False
         if event.type() == kinds.QueryWhatsThis:
             event.setAccepted(bool(explanation_of(asked)))
         elif isinstance(event, QWhatsThisClickedEvent):
             self.page_asked.emit(event.href())
         elif isinstance(event, QHelpEvent):
-            QWhatsThis.showText(event.globalPos(), explanation_of(asked), asked)
+            QtWidgets.QWhatsThis.showText(event.globalPos(), explanation_of(asked), asked)
         return True
 
 
-def explanation_of(widget: QWidget) -> str:
+def explanation_of(widget: QtWidgets.QWidget) -> str:
     """Return what a widget is, as HTML: its name, its tool tip, and what the manual says; empty for nothing."""
     found = passage_for(widget)
     name, tip = name_of(widget), _tip_of(widget)
@@ -344,9 +334,9 @@ def explanation_of(widget: QWidget) -> str:
     return "".join(parts)
 
 
-def passage_for(widget: QWidget) -> tuple[str, str] | None:
+def passage_for(widget: QtWidgets.QWidget) -> tuple[str, str] | None:
     """Return page and term of the manual for a widget: those of the innermost part of the window that has any."""
-    asked: QWidget | None = widget
+    asked: QtWidgets.QWidget | None = widget
     while asked is not None:
         for name in (asked.objectName(), *(kind.__name__ for kind in type(asked).__mro__)):
             if name in PASSAGES:
@@ -355,16 +345,16 @@ def passage_for(widget: QWidget) -> tuple[str, str] | None:
     return None
 
 
-def name_of(widget: QWidget) -> str:
+def name_of(widget: QtWidgets.QWidget) -> str:
     """Return what a widget is called: its accessible name, or what is written on it."""
     if widget.accessibleName():
         return widget.accessibleName()
-    return widget.text() if isinstance(widget, QAbstractButton | QLabel) else ""
+    return widget.text() if isinstance(widget, QtWidgets.QAbstractButton | QtWidgets.QLabel) else ""
 
 
-def _tip_of(widget: QWidget) -> str:
+def _tip_of(widget: QtWidgets.QWidget) -> str:
     """Return the tool tip of a widget, or of what it lies in."""
-    asked: QWidget | None = widget
+    asked: QtWidgets.QWidget | None = widget
     while asked is not None and not asked.isWindow():
         if asked.toolTip():
             return asked.toolTip()
@@ -410,7 +400,7 @@ HIGHEST, EDGES = 640, 60
 """Pixels; what does not fit into a small window is scrolled. Those that frame, margins and scroll bar take."""
 
 
-class ShortcutsDialog(QDialog):
+class ShortcutsDialog(QtWidgets.QDialog):
     """Lists the keys by menu.
 
     Parameters
@@ -418,7 +408,7 @@ class ShortcutsDialog(QDialog):
     menus : for each menu, the entries' texts and keys.
     """
 
-    def __init__(self, menus: dict[str, list[tuple[str, str]]], parent: QWidget) -> None:
+    def __init__(self, menus: dict[str, list[tuple[str, str]]], parent: QtWidgets.QWidget) -> None:
         super().__init__(parent)
         self.setWindowTitle(tr("Keyboard Shortcuts"))
         blocks = [_block(title, [(text, key) for text, key in entries if key]) for title, entries in menus.items()]
@@ -430,7 +420,7 @@ class ShortcutsDialog(QDialog):
         blocks.append(_block(tr("Keys of blend shapes, while they have the focus"), KEYS))
         room = self.screen().availableSize().width() - EDGES
         for n_columns in N_COLUMNS:
-            self.list = QLabel(_side_by_side([block for block in blocks if block], n_columns))
+            self.list = QtWidgets.QLabel(_side_by_side([block for block in blocks if block], n_columns))
             if self.list.sizeHint().width() <= room:
                 break
         scope = label(

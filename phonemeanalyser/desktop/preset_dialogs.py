@@ -22,14 +22,7 @@ from phonemeanalyser.desktop.widgets.builders import answer_of, input_dialog
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, ask_to_save
 from phonemeanalyser.desktop.widgets.preset_picker import PresetPicker
 from phonemeengine.errors import EngineError
-from phonemeengine.presets.files import (
-    FACTORY,
-    FACTORY_PRESETS,
-    PresetEntry,
-    own_presets,
-    preset_entries,
-    preset_path,
-)
+from phonemeengine.presets import files
 from phonemeengine.presets.model_choice import for_live_use
 from phonemeengine.storage.paths import presets_folder
 
@@ -136,11 +129,13 @@ class PresetDialogs(QObject):
     def _kept(self, key: str) -> Path:
         """Return the file of a preset of the last start; a factory preset's is known by its name."""
         path = read(self._settings, key, Path())
-        return next((factory for factory in FACTORY_PRESETS if factory.stem == str(path)), path)
+        return next((factory for factory in files.FACTORY_PRESETS if factory.stem == str(path)), path)
 
     def _keep(self, key: str, path: Path | None) -> None:
         path = None if path is None else path.resolve()
-        keep(self._settings, key, "" if path is None else path.stem if path.parent == FACTORY.resolve() else path)
+        keep(
+            self._settings, key, "" if path is None else path.stem if path.parent == files.FACTORY.resolve() else path
+        )
 
     def _keep_sides(self) -> None:
         """Keep which presets are A and B, and which one is in use."""
@@ -170,7 +165,7 @@ class PresetDialogs(QObject):
     def load_other(self, path: Path) -> None:
         """Have the preset of a file beside the one in use, as the other one of A and B."""
         if tried(lambda: self.set_other(PresetDocument.read(path)), self.rejected.emit):
-            remember(self._settings, "recent presets", preset_path(path))
+            remember(self._settings, "recent presets", files.preset_path(path))
 
     def set_other(self, document: PresetDocument) -> None:
         """Have another preset beside the one in use, after asking about unsaved changes of the one that goes."""
@@ -236,15 +231,15 @@ class PresetDialogs(QObject):
         self._keep(IN_USE, path)
         remember(self._settings, "recent presets", path)
 
-    def sections(self) -> dict[str, tuple[PresetEntry, ...]]:
+    def sections(self) -> dict[str, tuple[files.PresetEntry, ...]]:
         """Return the presets to choose from, by heading: the program's, the user's own, and others used lately."""
-        mine = own_presets()
-        listed = {*FACTORY_PRESETS, *mine}
+        mine = files.own_presets()
+        listed = {*files.FACTORY_PRESETS, *mine}
         recent = read_paths(self._settings, "recent presets")
         return {
-            tr("Factory"): preset_entries(FACTORY_PRESETS),
-            tr("User"): preset_entries(mine),
-            tr("Recent"): preset_entries(path for path in recent if path not in listed),
+            tr("Factory"): files.preset_entries(files.FACTORY_PRESETS),
+            tr("User"): files.preset_entries(mine),
+            tr("Recent"): files.preset_entries(path for path in recent if path not in listed),
         }
 
     def show_ship(self) -> None:

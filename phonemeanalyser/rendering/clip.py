@@ -9,24 +9,13 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
+import phonemeengine
 from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.clip_options import USUAL_CLIP, ClipOptions
 from phonemeanalyser.rendering.renderer import OffscreenRenderer, colour_of
 from phonemeanalyser.rendering.surface import subdivided
 from phonemeanalyser.rendering.video import SoundTrack, why_no_film, why_no_gif, write_film, write_gif, write_pictures
-from phonemeengine import (
-    Animation,
-    Channel,
-    EngineError,
-    ExportOptions,
-    MorphMesh,
-    Preset,
-    SoundReader,
-    Transcript,
-    Utterance,
-    animation_of,
-)
 from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.batch.work import Act, Job, Made, Say, fingerprint_of, say_nothing
@@ -58,7 +47,7 @@ class AnimationPlayer:
     RenderingError : the mesh has none of the animation's movestates.
     """
 
-    def __init__(self, morph_mesh: MorphMesh, animation: Animation) -> None:
+    def __init__(self, morph_mesh: phonemeengine.MorphMesh, animation: phonemeengine.Animation) -> None:
         self._animation = animation
         self._states = MovestateSet(morph_mesh.mesh, morph_mesh.states)
         self._columns = [k for k, name in enumerate(animation.movestates) if name in self._states]
@@ -207,8 +196,8 @@ def check_clip(out: Path, look: ClipOptions) -> None:
 
 def write_clip(
     out: Path,
-    morph_mesh: MorphMesh,
-    animations: Sequence[Animation],
+    morph_mesh: phonemeengine.MorphMesh,
+    animations: Sequence[phonemeengine.Animation],
     options: ClipOptions,
     captions: Sequence[str] = (),
     sound: SoundTrack | None = None,
@@ -246,7 +235,9 @@ def write_clip(
         _write(out, n_frames, map(sheet.picture, heads), options, sound, guard)
 
 
-def animation_by_rules(speech: Transcript, options: ExportOptions, rate: float) -> Animation:
+def animation_by_rules(
+    speech: phonemeengine.Transcript, options: phonemeengine.ExportOptions, rate: float
+) -> phonemeengine.Animation:
     """Return how a face says speech by the shapes of a mouth table, at a rate in frames per second.
 
     Raises
@@ -255,10 +246,10 @@ def animation_by_rules(speech: Transcript, options: ExportOptions, rate: float) 
     """
     ahead = MOST_ANTICIPATION if options.anticipation is None else options.anticipation
     table = options.style.with_tongue(options.mouth_table(USUAL_TABLE))
-    return animation_of(speech, table, rate, options.idle, anticipation=ahead)
+    return phonemeengine.animation_of(speech, table, rate, options.idle, anticipation=ahead)
 
 
-def sound_track(reader: SoundReader, start: float = 0.0, end: float | None = None) -> SoundTrack:
+def sound_track(reader: phonemeengine.SoundReader, start: float = 0.0, end: float | None = None) -> SoundTrack:
     """Return the samples of an open sound between two times, seconds; to its end where the second is None."""
     first = round(start * SAMPLE_RATE)
     last = reader.n_samples if end is None else round(end * SAMPLE_RATE)
@@ -294,7 +285,7 @@ def _write(
             write_gif(file, pictures, n_frames, options.rate)
 
 
-def _blocks_of(reader: SoundReader, first: int, last: int) -> Iterator[Float32Array]:
+def _blocks_of(reader: phonemeengine.SoundReader, first: int, last: int) -> Iterator[Float32Array]:
     reader.seek(first)
     while len(block := reader.read(min(BLOCK, last - reader.position))):
         yield block
@@ -309,7 +300,7 @@ ANALYSED = 0.2
 SHIPPED_FACE = FaceFiles()
 
 
-def face_of(files: FaceFiles) -> MorphMesh:
+def face_of(files: FaceFiles) -> phonemeengine.MorphMesh:
     """Load a face that can be moved.
 
     Raises
@@ -343,9 +334,9 @@ class ClipWork:
     overwrite : whether to replace whatever is there; files that the same work made, as noted, are replaced anyway.
     """
 
-    options: ExportOptions
-    preset: Preset
-    channel: Channel = Channel.MIX
+    options: phonemeengine.ExportOptions
+    preset: phonemeengine.Preset
+    channel: phonemeengine.Channel = phonemeengine.Channel.MIX
     texts: SpokenTexts = NO_TEXTS
     driver: DriverChoice = USUAL_DRIVER
     faces: FaceFiles = SHIPPED_FACE
@@ -358,7 +349,7 @@ class ClipWork:
     def of(
         cls,
         options: ConversionOptions,
-        preset: Preset,
+        preset: phonemeengine.Preset,
         ending: str = "",
         sounds: Sequence[Path] = (),
         say: Say = say_nothing,
@@ -402,7 +393,7 @@ class ClipWork:
         with self.driver.opened(self.texts.language) as driving:
             yield partial(self._make, head, driving)
 
-    def _make(self, head: MorphMesh, driving: Driving, job: Job, say: Say, progress: Progress) -> Made:
+    def _make(self, head: phonemeengine.MorphMesh, driving: Driving, job: Job, say: Say, progress: Progress) -> Made:
         guard = Guard(None, self.overwrite, job.earlier)
         guard.check(job.target)
         driving.say_notes(say)
@@ -424,8 +415,13 @@ class ClipWork:
             return made_of(reader, utterance, self.texts.language)
 
     def _faces_of(
-        self, utterance: Utterance | None, speech: Transcript, reader: SoundReader, driving: Driving, say: Say
-    ) -> tuple[list[Animation], list[str]]:
+        self,
+        utterance: phonemeengine.Utterance | None,
+        speech: phonemeengine.Transcript,
+        reader: phonemeengine.SoundReader,
+        driving: Driving,
+        say: Say,
+    ) -> tuple[list[phonemeengine.Animation], list[str]]:
         """Return how each head moves, and their captions where there are two."""
         drivers = self._drivers_of(utterance, printable_name(reader.path), driving)
         tracks = [driving.track(driver, utterance, speech, say, sound=sound_of(reader)) for driver in drivers]
@@ -437,14 +433,14 @@ class ClipWork:
         ]
         return animations, [driving.caption(driver) for driver in drivers] if self.driver.beside else []
 
-    def _drivers_of(self, utterance: Utterance | None, name: str, driving: Driving) -> list[FaceDriver]:
+    def _drivers_of(self, utterance: phonemeengine.Utterance | None, name: str, driving: Driving) -> list[FaceDriver]:
         """Return what moves the first head, and the second one, if there is one."""
         shapes, beside = {*self.options.mouth_table(USUAL_TABLE).movestates}, self.driver.beside
         drivers = [driving.chosen(utterance, name, lambda movestates: shapes <= {*movestates})]
         if beside is not None:
             drivers.append(driving.chosen(utterance, name, driver=beside))
         if len({*drivers}) < len(drivers):
-            raise EngineError(
+            raise phonemeengine.EngineError(
                 f"{name}: --beside {beside} would be what moves the first head, too; choose another one, or another "
                 "--text-driver"
             )

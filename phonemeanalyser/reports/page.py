@@ -16,19 +16,7 @@ from typing import Any
 import numpy as np
 
 from phonemeanalyser.colours import DARK, LIGHT, PHONEME_COLOURS
-from phonemeanalyser.reports.report import (
-    CLASSES,
-    FIGURES,
-    Report,
-    clock,
-    confusion_shares,
-    counted,
-    flicker_of,
-    look_ahead_of,
-    short,
-    signed,
-    written,
-)
+from phonemeanalyser.reports import report
 from phonemeengine.arrays import BoolArray, Int64Array, UInt8Array
 from phonemeengine.batch.remote import is_remote, write_place
 from phonemeengine.batch.work import JobState, Outcome
@@ -98,7 +86,10 @@ class MapCell:
 
 def confusion_cells(confusion: Int64Array, colour: str) -> list[list[MapCell]]:
     """Return what became of each label, in percent of its frames, in the colour of a preset's letter."""
-    counts, shares = confusion[np.ix_(CLASSES, CLASSES)].tolist(), confusion_shares(confusion).tolist()
+    counts, shares = (
+        confusion[np.ix_(report.CLASSES, report.CLASSES)].tolist(),
+        report.confusion_shares(confusion).tolist(),
+    )
     return [
         [
             MapCell(_unless_faint(share, f"{100 * share:.0f}"), f"{n} frames", colour, math.sqrt(share))
@@ -110,12 +101,14 @@ def confusion_cells(confusion: Int64Array, colour: str) -> list[list[MapCell]]:
 
 def difference_cells(comparison: PresetComparison) -> list[list[MapCell]]:
     """Return by how many percent of each label's frames the first preset gives an answer more often."""
-    shares = (confusion_shares(scores.overall.confusion).tolist() for scores in (comparison.one, comparison.other))
+    shares = (
+        report.confusion_shares(scores.overall.confusion).tolist() for scores in (comparison.one, comparison.other)
+    )
     return [[_difference_cell(*pair) for pair in zip(*rows, strict=True)] for rows in zip(*shares, strict=True)]
 
 
 def _difference_cell(one: float, other: float) -> MapCell:
-    number = _unless_faint(one - other, signed(100 * (one - other)))
+    number = _unless_faint(one - other, report.signed(100 * (one - other)))
     note = f"{100 * one:.1f} % against {100 * other:.1f} %"
     return MapCell(number, note, "a" if one > other else "b", min(1, math.sqrt(abs(one - other) / MOST_DIFFERENT)))
 
@@ -191,7 +184,7 @@ NINE = tuple(p for p in SCORED_PHONEMES if p is not Phoneme.SILENCE)
 Groups = list[GroupScores]
 
 
-def page_of(report: Report) -> str:
+def page_of(report: report.Report) -> str:
     """Write a report as HTML in ASCII that is well-formed XML too, and asks the network for nothing."""
     return rendered(
         "report.html.j2",
@@ -204,7 +197,7 @@ def page_of(report: Report) -> str:
     )
 
 
-def _parts(report: Report) -> Iterator[list[tuple[str, Groups]]]:
+def _parts(report: report.Report) -> Iterator[list[tuple[str, Groups]]]:
     """Return the names and scores of all recordings, of each kind and of each speaker."""
     presets = [preset.scores for preset in report.presets]
     yield [("all", [scores.overall for scores in presets])]
@@ -238,7 +231,7 @@ def _class_of(group: GroupScores, phoneme: Phoneme) -> ClassFigures:
     )
 
 
-def _mistakes(report: Report) -> list[tuple[Phoneme, Phoneme]]:
+def _mistakes(report: report.Report) -> list[tuple[Phoneme, Phoneme]]:
     """Return what was said and answered in the most frequent mistakes."""
     wrong = np.sum([preset.scores.overall.confusion for preset in report.presets], axis=0)
     wrong[np.diag_indices_from(wrong)] = wrong[Phoneme.UNIDENTIFIED] = 0
@@ -261,13 +254,13 @@ class DrawnExample:
         return len(self.answers[0].phonemes) * FRAME_PERIOD
 
 
-def _examples(report: Report) -> Iterator[DrawnExample]:
+def _examples(report: report.Report) -> Iterator[DrawnExample]:
     for k, why in _chosen(report).items():
         answers = [preset.scores.predictions[k] for preset in report.presets]
         yield DrawnExample(why, answers, [group_scores_of([predictions]) for predictions in answers])
 
 
-def _chosen(report: Report) -> dict[int, str]:
+def _chosen(report: report.Report) -> dict[int, str]:
     """Choose the recordings that are drawn, each once: the first that is asked for names it."""
     answers = {k: a for k, a in enumerate(report.first.predictions) if len(a.phonemes)}
     rights = {k: group_scores_of([a]).scores.accuracy for k, a in answers.items()}
@@ -290,7 +283,7 @@ def _chosen(report: Report) -> dict[int, str]:
 
 
 def _percent(share: float) -> str:
-    return f"{written(100 * share, 0)} %"
+    return f"{report.written(100 * share, 0)} %"
 
 
 def _ink(phoneme: Phoneme) -> str:
@@ -303,29 +296,29 @@ VALUES = {
     "light": LIGHT,
     "dark": DARK,
     "colours": PHONEME_COLOURS,
-    "classes": CLASSES,
+    "classes": report.CLASSES,
     "scored_phonemes": SCORED_PHONEMES,
-    "figures": FIGURES,
-    "headlines": [next(f for f in FIGURES if f.field == field) for field in HEADLINES],
+    "figures": report.FIGURES,
+    "headlines": [next(f for f in report.FIGURES if f.field == field) for field in HEADLINES],
     "row_seconds": ROW_SECONDS,
     "drawn_seconds": MOST_ROWS * ROW_SECONDS,
 }
 FILTERS: dict[str, Callable[..., Any]] = {
     "class_of": _class_of,
-    "clock": clock,
+    "clock": report.clock,
     "confusion_cells": confusion_cells,
     "difference_cells": difference_cells,
     "model": model_in_words,
-    "flicker": flicker_of,
+    "flicker": report.flicker_of,
     "ink": _ink,
-    "look_ahead": look_ahead_of,
+    "look_ahead": report.look_ahead_of,
     "nan_to_num": np.nan_to_num,
     "percent": _percent,
-    "short": short,
-    "signed": signed,
+    "short": report.short,
+    "signed": report.signed,
     "split_path": re.compile(r"(?<=[/_ -])(?=.)").split,
     "time_rows": time_rows,
-    "written": written,
+    "written": report.written,
 }
 """What the templates ask for by name."""
 
@@ -373,7 +366,7 @@ def write_batch_report(outcomes: Sequence[Outcome], folder: Path) -> None:
     page = rendered(
         "batch.html.j2",
         {"light": LIGHT, "dark": DARK},
-        {"clock": clock},
+        {"clock": report.clock},
         rows=rows,
         folder=folder.name,
         words=_summary_of(outcomes),
@@ -409,4 +402,4 @@ def _table_of(rows: Sequence[ReportedFile]) -> str:
 def _summary_of(outcomes: Sequence[Outcome]) -> str:
     states = [outcome.state for outcome in outcomes]
     found = [f"{states.count(state)} {state.value}" for state in JobState if state in states]
-    return f"{counted(len(outcomes), 'file')}: {', '.join(found)}"
+    return f"{report.counted(len(outcomes), 'file')}: {', '.join(found)}"

@@ -19,21 +19,13 @@ from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.analyser import Analysis
 from phonemeengine.errors import CurveError, EngineError
 from phonemeengine.execution import Progress
-from phonemeengine.inspection.averaged_spectrum import (
-    AveragedSpectrum,
-    SoundPart,
-    SpectrumAverage,
-    check_comparable,
-    distance_of,
-    load_averaged_spectrum,
-    save_averaged_spectrum,
-)
+from phonemeengine.inspection import averaged_spectrum
 from phonemeengine.inspection.speaker_spectra import Groups, average_parts, measured_again
 from phonemeengine.settings import FRAME_PERIOD, AnalysisSettings
 from phonemeengine.storage.files import free_path, portable_name
 
 SUFFIX = ".csv"
-Parts = tuple[SoundPart, ...]
+Parts = tuple[averaged_spectrum.SoundPart, ...]
 
 
 class CurveDifference(NamedTuple):
@@ -74,14 +66,14 @@ class CurveTable(QObject):
 
     def __init__(self, preset: PresetModel) -> None:
         super().__init__()
-        self.curves: tuple[AveragedSpectrum, ...] = ()
+        self.curves: tuple[averaged_spectrum.AveragedSpectrum, ...] = ()
         self.chosen: tuple[int, ...] = ()
         self.work, self._comparing = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
         self._preset = preset
         preset.changed.connect(self._follow_filters)
         self._folder: Path | None = None
         self._files: tuple[Path | None, ...] = ()
-        self._again: dict[Parts, AveragedSpectrum | str] = {}
+        self._again: dict[Parts, averaged_spectrum.AveragedSpectrum | str] = {}
         self._again_through = ""
 
     @property
@@ -90,7 +82,7 @@ class CurveTable(QObject):
         return self._preset.in_force.settings
 
     @property
-    def shown(self) -> tuple[AveragedSpectrum, ...]:
+    def shown(self) -> tuple[averaged_spectrum.AveragedSpectrum, ...]:
         """The curves that are drawn and compared."""
         return tuple(curve for curve in self.curves if not curve.hidden)
 
@@ -103,14 +95,14 @@ class CurveTable(QObject):
         self._folder = folder
         for path in sorted(folder.glob(f"*{SUFFIX}")):
             try:
-                curve = load_averaged_spectrum(path)
+                curve = averaged_spectrum.load_averaged_spectrum(path)
             except EngineError as error:
                 self.error.emit(str(error))
             else:
                 self.curves, self._files = (*self.curves, curve), (*self._files, path)
         self.changed.emit()
 
-    def add(self, curves: Iterable[AveragedSpectrum]) -> list[int]:
+    def add(self, curves: Iterable[averaged_spectrum.AveragedSpectrum]) -> list[int]:
         """Add curves, and return their places; one that is there already is pointed at."""
         places, known = [], []
         for curve in curves:
@@ -135,7 +127,9 @@ class CurveTable(QObject):
         for name, parts in groups.items():
             self.average(name, parts, together)
 
-    def average(self, name: str, parts: Sequence[SoundPart], together: list[int] | None = None) -> None:
+    def average(
+        self, name: str, parts: Sequence[averaged_spectrum.SoundPart], together: list[int] | None = None
+    ) -> None:
         """Average parts of sounds in the background, and add the curve.
 
         Parameters
@@ -145,10 +139,10 @@ class CurveTable(QObject):
         settings = self.settings
         places = [] if together is None else together
 
-        def act(progress: Progress) -> AveragedSpectrum:
+        def act(progress: Progress) -> averaged_spectrum.AveragedSpectrum:
             return average_parts(parts, settings, name, progress=progress)
 
-        def take(curve: AveragedSpectrum) -> None:
+        def take(curve: averaged_spectrum.AveragedSpectrum) -> None:
             places.extend(self.add([curve]))
             self.added.emit(places)
 
@@ -156,14 +150,14 @@ class CurveTable(QObject):
 
     def load(self, path: Path) -> None:
         """Load a curve; EngineError leaves all as it is."""
-        self.add([load_averaged_spectrum(path)])
+        self.add([averaged_spectrum.load_averaged_spectrum(path)])
 
     def remove(self, places: Iterable[int]) -> None:
         """Take curves away."""
         if removed := sorted(set(places)):
             self._preset.undo_stack.push(_Removal(self, [(k, self.curves[k]) for k in removed]))
 
-    def take_away(self, curves: Iterable[AveragedSpectrum]) -> None:
+    def take_away(self, curves: Iterable[averaged_spectrum.AveragedSpectrum]) -> None:
         """Take curves away for good, with their files in the folder."""
         for gone in curves:
             place = next((k for k, curve in enumerate(self.curves) if curve.is_same(gone)), None)
@@ -177,7 +171,7 @@ class CurveTable(QObject):
         self.chosen = ()
         self.changed.emit()
 
-    def put_back(self, removed: Iterable[tuple[int, AveragedSpectrum]]) -> None:
+    def put_back(self, removed: Iterable[tuple[int, averaged_spectrum.AveragedSpectrum]]) -> None:
         """Put curves where they were."""
         for place, curve in removed:
             self._put(min(place, len(self.curves)), curve, None)
@@ -204,10 +198,10 @@ class CurveTable(QObject):
         for place in places:
             self._measure_again(self.curves[place])
 
-    def _measure_again(self, curve: AveragedSpectrum) -> None:
+    def _measure_again(self, curve: averaged_spectrum.AveragedSpectrum) -> None:
         settings = self.settings
 
-        def take(again: AveragedSpectrum) -> None:
+        def take(again: averaged_spectrum.AveragedSpectrum) -> None:
             place = next((k for k, other in enumerate(self.curves) if other.is_same(curve)), None)
             if place is not None:
                 now = self.curves[place]
@@ -220,7 +214,7 @@ class CurveTable(QObject):
         for place in places:
             curve = self.curves[place]
             path = target if len(places) == 1 else free_path(target / f"{portable_name(curve.name)}{SUFFIX}")
-            save_averaged_spectrum(curve, path)
+            averaged_spectrum.save_averaged_spectrum(curve, path)
         words = tr("1 curve saved as {target}" if len(places) == 1 else "{n} curves saved in {target}")
         self.info.emit(words.format(n=len(places), target=target))
 
@@ -231,7 +225,7 @@ class CurveTable(QObject):
 
     # -- how they differ ----------------------------------------------------------------------------------
 
-    def differences(self, curves: Sequence[AveragedSpectrum]) -> list[list[CurveDifference]]:
+    def differences(self, curves: Sequence[averaged_spectrum.AveragedSpectrum]) -> list[list[CurveDifference]]:
         """Return how each of some curves differs from each.
 
         Those that went through different filters are compared as they are through the present ones, for which their
@@ -248,18 +242,22 @@ class CurveTable(QObject):
                 found[k][n] = found[n][k] = self._difference(curves[n], one)
         return found
 
-    def _difference(self, one: AveragedSpectrum, other: AveragedSpectrum) -> CurveDifference:
+    def _difference(
+        self, one: averaged_spectrum.AveragedSpectrum, other: averaged_spectrum.AveragedSpectrum
+    ) -> CurveDifference:
         try:
-            check_comparable(one, other)
+            averaged_spectrum.check_comparable(one, other)
         except CurveError as error:
             again = self._through_now(one), self._through_now(other)
-            if isinstance(again[0], AveragedSpectrum) and isinstance(again[1], AveragedSpectrum):
+            if isinstance(again[0], averaged_spectrum.AveragedSpectrum) and isinstance(
+                again[1], averaged_spectrum.AveragedSpectrum
+            ):
                 return _told(again[0], again[1], again=True)
             why = [tr_engine(words) for words in again if isinstance(words, str)]
             return CurveDifference(math.nan, "; ".join([tr_engine(str(error)), *why]))
         return _told(one, other, again=False)
 
-    def _through_now(self, curve: AveragedSpectrum) -> AveragedSpectrum | str:
+    def _through_now(self, curve: averaged_spectrum.AveragedSpectrum) -> averaged_spectrum.AveragedSpectrum | str:
         """Return a curve through the present filters; a sentence where that cannot be, an empty one meanwhile."""
         if curve.front_end == self._again_through:
             return curve
@@ -281,18 +279,18 @@ class CurveTable(QObject):
             self._again.clear()
             self._again_through = now
 
-    def _compare_again(self, curve: AveragedSpectrum) -> None:
+    def _compare_again(self, curve: averaged_spectrum.AveragedSpectrum) -> None:
         if not curve.parts or curve.front_end == self._again_through or curve.parts in self._again:
             return
         settings, self._again[curve.parts] = self.settings, tr("Measuring through the current filters…")
 
-        def act(progress: Progress) -> AveragedSpectrum | str:
+        def act(progress: Progress) -> averaged_spectrum.AveragedSpectrum | str:
             try:
                 return measured_again(curve, settings, progress)
             except EngineError as error:
                 return str(error)
 
-        def take(found: AveragedSpectrum | str) -> None:
+        def take(found: averaged_spectrum.AveragedSpectrum | str) -> None:
             self._again[curve.parts] = found
             self.compared.emit()
 
@@ -300,12 +298,12 @@ class CurveTable(QObject):
 
     # -- files --------------------------------------------------------------------------------------------
 
-    def _change(self, place: int, curve: AveragedSpectrum) -> None:
+    def _change(self, place: int, curve: averaged_spectrum.AveragedSpectrum) -> None:
         self.curves = (*self.curves[:place], curve, *self.curves[place + 1 :])
         self._keep(place)
         self.changed.emit()
 
-    def _put(self, place: int, curve: AveragedSpectrum, file: Path | None) -> None:
+    def _put(self, place: int, curve: averaged_spectrum.AveragedSpectrum, file: Path | None) -> None:
         self.curves = (*self.curves[:place], curve, *self.curves[place:])
         self._files = (*self._files[:place], file, *self._files[place:])
         self._keep(place)
@@ -316,7 +314,7 @@ class CurveTable(QObject):
             return
         file = self._files[place] or self._new_file()
         try:
-            save_averaged_spectrum(self.curves[place], file)
+            averaged_spectrum.save_averaged_spectrum(self.curves[place], file)
         except EngineError as error:
             self.error.emit(
                 tr("The averaged spectra can't be kept for the next start: {error}").format(
@@ -336,7 +334,7 @@ class CurveTable(QObject):
 class _Removal(QUndoCommand):
     """Takes curves away from a table."""
 
-    def __init__(self, table: CurveTable, removed: list[tuple[int, AveragedSpectrum]]) -> None:
+    def __init__(self, table: CurveTable, removed: list[tuple[int, averaged_spectrum.AveragedSpectrum]]) -> None:
         super().__init__(tr("remove averaged spectra"))
         self._table, self._removed = table, removed
 
@@ -349,8 +347,10 @@ class _Removal(QUndoCommand):
         self._table.put_back(self._removed)
 
 
-def _told(one: AveragedSpectrum, other: AveragedSpectrum, *, again: bool) -> CurveDifference:
-    decibels, highest = distance_of(one, other), min(one.frequencies[-1], other.frequencies[-1])
+def _told(
+    one: averaged_spectrum.AveragedSpectrum, other: averaged_spectrum.AveragedSpectrum, *, again: bool
+) -> CurveDifference:
+    decibels, highest = averaged_spectrum.distance_of(one, other), min(one.frequencies[-1], other.frequencies[-1])
     words = tr(
         "{one} and {other}: {decibels:.1f} dB, up to {highest:.0f} Hz, both measured again with the current filters"
         if again
@@ -369,7 +369,7 @@ class RunningAverage:
 
     def __init__(self) -> None:
         self.settings: AnalysisSettings | None = None
-        self._average = SpectrumAverage()
+        self._average = averaged_spectrum.SpectrumAverage()
         self._cause = self._sound = ""
         self._from = 0.0
 
@@ -399,13 +399,13 @@ class RunningAverage:
         self.settings = given
         self._average.add(analysis.linear_spectra, analysis.frames.windows)
 
-    def current(self, name: str = "now") -> AveragedSpectrum:
+    def current(self, name: str = "now") -> averaged_spectrum.AveragedSpectrum:
         """Return the running mean."""
         front_end = self.settings.front_end() if self.settings is not None else ""
         return self._average.curve(name, front_end, self.since)
 
-    def save(self, path: Path) -> AveragedSpectrum:
+    def save(self, path: Path) -> averaged_spectrum.AveragedSpectrum:
         """Save the running mean under the file's name, and return it; EngineError says why not."""
         curve = self.current(path.stem)
-        save_averaged_spectrum(curve, path)
+        averaged_spectrum.save_averaged_spectrum(curve, path)
         return curve

@@ -15,17 +15,6 @@ from phonemeanalyser.desktop.talk.head.face_model import HEADS
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme, set_size
 from phonemeanalyser.desktop.widgets import builders
-from phonemeanalyser.desktop.widgets.builders import (
-    ElidedLabel,
-    choice,
-    grid,
-    label,
-    named,
-    offer,
-    row,
-    silent,
-    tool_button,
-)
 from phonemeanalyser.desktop.widgets.fields import NumberField, PercentSlider
 from phonemeanalyser.desktop.widgets.keyboard import KEYS
 from phonemeanalyser.desktop.widgets.lanes import names_in_lanes
@@ -112,7 +101,7 @@ MOTION_TIP = tr_noop("Move the head with the pitch and loudness of the speech")
 OWN = tr_noop("Load mouth table…")
 FASTEST_PERCENT, SLOWEST_PERCENT, STEP_PERCENT = 10, 1000, 10
 
-WIDE = ElidedLabel | QComboBox | TransitionTimesView
+WIDE = builders.ElidedLabel | QComboBox | TransitionTimesView
 """What takes the width that is left."""
 
 
@@ -134,23 +123,25 @@ class ChoicesPanel(QWidget):
         super().__init__()
         self._talking = talking
         self._theme = theme
-        self.face = ElidedLabel()
-        self.own = tool_button(
+        self.face = builders.ElidedLabel()
+        self.own = builders.tool_button(
             tr("Load Face…"),
             tr("Load a face mesh (.obj, .glb, .vrm, .gltf, .x) with its blend shapes (.3dm)"),
             act=self.mesh_asked.emit,
         )
         self.heads = {
-            head: tool_button(tr(name), tr(HEAD_TIPS[head]), act=partial(talking.face.load, FaceFiles(Path(head))))
+            head: builders.tool_button(
+                tr(name), tr(HEAD_TIPS[head]), act=partial(talking.face.load, FaceFiles(Path(head)))
+            )
             for head, name in HEADS.items()
         }
-        self.map = tool_button(
+        self.map = builders.tool_button(
             tr("Map Shapes…"),
             tr("Map the blend shapes of this face to those of the mouth table"),
             act=self.mapping_asked.emit,
         )
-        self.table = choice((), tr("Mouth table"), tr(TABLE_TIP))
-        self.detail = choice(
+        self.table = builders.choice((), tr("Mouth table"), tr(TABLE_TIP))
+        self.detail = builders.choice(
             ((tr(words), detail) for detail, words in DETAILS.items()), tr("Level of detail"), tr(DETAIL_TIP)
         )
         self.attack = _time_factor(
@@ -162,9 +153,9 @@ class ChoicesPanel(QWidget):
             tr("Length of all releases: 100 % as in the mouth table; less is faster, more is slower"),
         )
         self.times = TransitionTimesView(talking, theme)
-        self.blinks = named(QCheckBox(tr("Blinks")), tip=tr(BLINKS_TIP))
-        self.motion = named(QCheckBox(tr("Head motion")), tip=tr(MOTION_TIP))
-        self.random = named(
+        self.blinks = builders.named(QCheckBox(tr("Blinks")), tip=tr(BLINKS_TIP))
+        self.motion = builders.named(QCheckBox(tr("Head motion")), tip=tr(MOTION_TIP))
+        self.random = builders.named(
             QCheckBox(tr("Random variation")), tip=tr("Vary mouth shapes and times slightly, as people do")
         )
         self._lay_out()
@@ -172,20 +163,23 @@ class ChoicesPanel(QWidget):
         self._show_state()
 
     def _lay_out(self) -> None:
-        table = grid(self, across=8, down=5)
+        table = builders.grid(self, across=8, down=5)
         rows: tuple[tuple[str, tuple[QWidget, ...]], ...] = (
             (tr("Face"), (self.face, *self.heads.values(), self.own)),
             ("", (self.map,)),
-            (tr("Mouth table"), (self.table, label(tr("Detail")), self.detail)),
-            (tr("Speed"), (label(tr("Attack time")), self.attack, label(tr("Release time")), self.release)),
+            (tr("Mouth table"), (self.table, builders.label(tr("Detail")), self.detail)),
+            (
+                tr("Speed"),
+                (builders.label(tr("Attack time")), self.attack, builders.label(tr("Release time")), self.release),
+            ),
             ("", (self.times,)),
             (tr("Idle motion"), (self.blinks, self.motion, self.random)),
         )
         for number, (name, widgets) in enumerate(rows):
-            table.addWidget(label(name, self._theme.faint), number, 0)
+            table.addWidget(builders.label(name, self._theme.faint), number, 0)
             wide = [isinstance(widget, WIDE) for widget in widgets]
             parts = zip(widgets, map(int, wide), strict=True)
-            table.addLayout(row(*parts, *([] if any(wide) else [1]), spacing=8), number, 1)
+            table.addLayout(builders.row(*parts, *([] if any(wide) else [1]), spacing=8), number, 1)
         table.setColumnStretch(1, 1)
 
     def _connect(self) -> None:
@@ -212,7 +206,7 @@ class ChoicesPanel(QWidget):
 
     def _show_state(self) -> None:
         talking = self._talking
-        with silent(self.attack, self.release, self.blinks, self.motion, self.random):
+        with builders.silent(self.attack, self.release, self.blinks, self.motion, self.random):
             self.face.setText(talking.face.name)
             self.face.setToolTip(talking.face.name)
             for head, button in self.heads.items():
@@ -229,13 +223,15 @@ class ChoicesPanel(QWidget):
         """List the tables of the program that move this face, the user's own, and the way to another one."""
         talking = self._talking
         listed = talking.face.tables | {talking.table_name: talking.table.name}
-        offer(
+        builders.offer(
             self.table, [*((tr(words), name) for name, words in listed.items()), (tr(OWN), None)], talking.table_name
         )
 
 
 def _time_factor(name: str, tip: str) -> NumberField:
-    return named(NumberField(FASTEST_PERCENT, SLOWEST_PERCENT, step=STEP_PERCENT, unit=" %", waits=True), name, tip)
+    return builders.named(
+        NumberField(FASTEST_PERCENT, SLOWEST_PERCENT, step=STEP_PERCENT, unit=" %", waits=True), name, tip
+    )
 
 
 MODES = {

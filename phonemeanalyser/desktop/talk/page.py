@@ -20,20 +20,7 @@ from phonemeanalyser.desktop.talk.tour import Stop, Tour
 from phonemeanalyser.desktop.talk.words.text_panel import TextPanel
 from phonemeanalyser.desktop.talk.words.time_line import LanesPanel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme, format_clock
-from phonemeanalyser.desktop.widgets.builders import (
-    ScrolledDown,
-    Wrapping,
-    choice,
-    column,
-    heading,
-    label,
-    leave_wheel,
-    line,
-    named,
-    open_without_arrow,
-    row,
-    spoken_button,
-)
+from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.keyboard import HeldKeys
 from phonemeengine.phonemes import Phoneme
 
@@ -101,14 +88,14 @@ class PictureCounter(QWidget):
     def __init__(self, talking: TalkModel) -> None:
         super().__init__()
         self._talking = talking
-        self.place = label()
+        self.place = builders.label()
         self.place.setToolTip(tr("Time, and number of the picture, counted from 0"))
-        self.rate = choice(
+        self.rate = builders.choice(
             ((tr("{rate}/s").format(rate=rate), rate) for rate in PICTURE_RATES),
             tr("Pictures per Second"),
             tr("Pictures per second of the animation; Left and Right in the timeline go one picture back or forward"),
         )
-        row(self.place, self.rate, on=self, spacing=6)
+        builders.row(self.place, self.rate, on=self, spacing=6)
         self.place.setMinimumWidth(self.place.fontMetrics().horizontalAdvance(self._words(3599.999, 215_999)))
         self.rate.activated.connect(lambda k: talking.pictures.set_rate(self.rate.itemData(k)))
         talking.changed.connect(self._show_rate)
@@ -170,27 +157,27 @@ class TalkPage(QWidget):
         self.keys = HeldKeys(talking, self)
         for view in (self.heads.main.view, self.heads.beside.view, self.bars, self.lanes.line):
             view.menu.save_asked.connect(self.picture_asked)
-        self.save_words = spoken_button(
+        self.save_words = builders.spoken_button(
             tr("Save Words and Phones…"),
             tr("Save the words and phones of the audio file as a TextGrid, which Export can use"),
         )
-        self.save_speech = spoken_button(
+        self.save_speech = builders.spoken_button(
             tr("Save Spoken Text…"),
             tr("Save the spoken text as WAV, with its words and phones in a TextGrid beside it"),
         )
-        self.export = spoken_button(
+        self.export = builders.spoken_button(
             tr("Export…"), tr("Export the animation for other programs, as the head shows it (Ctrl+Shift+E)")
         )
-        self.show_keys = spoken_button(
+        self.show_keys = builders.spoken_button(
             tr("Keys"), tr("Show the curves of blend shapes, whose keys can be edited"), self._toggle_keys
         )
         self.show_keys.setCheckable(True)
-        self.compare = spoken_button(
+        self.compare = builders.spoken_button(
             tr("Compare ▾"), tr("Show a second head in sync, moved by another driver or preset")
         )
         self.comparisons = ComparisonMenu(talking.text.drivers, talking.comparison, self)
         self.differences = DifferenceBar(talking)
-        open_without_arrow(self.compare, self.comparisons)
+        builders.open_without_arrow(self.compare, self.comparisons)
         self.chip = PhonemeChip(talking, theme)
         self.pictures = PictureCounter(talking)
         self.tabs = QTabWidget()
@@ -266,12 +253,12 @@ class TalkPage(QWidget):
 
     def _lay_out(self) -> None:
         where, looks = (
-            row(self.chip, self.pictures, self.show_keys, 1, spacing=6),
-            row(1, self.compare, *self.heads.looks, spacing=6),
+            builders.row(self.chip, self.pictures, self.show_keys, 1, spacing=6),
+            builders.row(1, self.compare, *self.heads.looks, spacing=6),
         )
-        bar = Wrapping(where, looks, (8, 4, 8, 4))
+        bar = builders.Wrapping(where, looks, (8, 4, 8, 4))
         above = QWidget()
-        column((self.heads, 1), self.differences, bar, on=above, spacing=0)
+        builders.column((self.heads, 1), self.differences, bar, on=above, spacing=0)
         for part in (above, self.text, self.lanes, self.key_panel):
             self.stack.addWidget(part)
         self.stack.setStretchFactor(0, 1)
@@ -284,25 +271,27 @@ class TalkPage(QWidget):
         for splitter in (self.split, self.stack):
             splitter.setChildrenCollapsible(False)
         self.tabs.setDocumentMode(True)
-        named(self.tabs.tabBar(), tr("Parts of the page"))
-        saved = column(*(row(button, 1) for button in (self.export, self.save_words, self.save_speech)), spacing=6)
-        hint = label(f"{tr(HINT)}.", self._theme.faint, wraps=True)
+        builders.named(self.tabs.tabBar(), tr("Parts of the page"))
+        saved = builders.column(
+            *(builders.row(button, 1) for button in (self.export, self.save_words, self.save_speech)), spacing=6
+        )
+        hint = builders.label(f"{tr(HINT)}.", self._theme.faint, wraps=True)
         for name, parts in (
-            (tr("Face"), (self.choices, line(self._theme.line), self.visemes, 1, hint)),
-            (tr("Expression"), (self.expression, line(self._theme.line), self.style_panel, 1)),
-            (tr("Output"), (heading(tr("Files")), saved, heading(tr("Network")), self.osc, 1)),
-            (tr("Inspect"), (heading(tr("Blend shapes")), self.bars, 1)),
+            (tr("Face"), (self.choices, builders.line(self._theme.line), self.visemes, 1, hint)),
+            (tr("Expression"), (self.expression, builders.line(self._theme.line), self.style_panel, 1)),
+            (tr("Output"), (builders.heading(tr("Files")), saved, builders.heading(tr("Network")), self.osc, 1)),
+            (tr("Inspect"), (builders.heading(tr("Blend shapes")), self.bars, 1)),
         ):
             body = QWidget()
-            column(*parts, on=body, margins=(10, 8, 10, 8), spacing=8)
+            builders.column(*parts, on=body, margins=(10, 8, 10, 8), spacing=8)
             self.tabs.addTab(_scrolled(body), name)
-        row(self.split, on=self)
+        builders.row(self.split, on=self)
 
 
-def _scrolled(body: QWidget) -> ScrolledDown:
+def _scrolled(body: QWidget) -> builders.ScrolledDown:
     """Return an area that scrolls a body downwards."""
-    leave_wheel(body)
-    scroll = ScrolledDown()
+    builders.leave_wheel(body)
+    scroll = builders.ScrolledDown()
     scroll.show_body(body)
     scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     return scroll

@@ -5,19 +5,10 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
+from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QIODevice, QObject, QPoint, QSaveFile, Qt, Signal
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QMouseEvent, QPainter, QPixmap, QShortcut
 from PySide6.QtSvg import QSvgGenerator
-from PySide6.QtWidgets import (
-    QAbstractScrollArea,
-    QApplication,
-    QGraphicsItem,
-    QGraphicsView,
-    QMenu,
-    QTableWidget,
-    QTableWidgetItem,
-    QWidget,
-)
 from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
@@ -25,11 +16,11 @@ from phonemeengine.errors import EngineError
 
 PICTURE_WIDTH = 1200
 """Pixels that a picture has at least from left to right."""
-NO_CACHE = QGraphicsItem.CacheMode.NoCache
+NO_CACHE = QtWidgets.QGraphicsItem.CacheMode.NoCache
 Reset = Callable[[], object]
 
 
-class PlotMenu(QMenu):
+class PlotMenu(QtWidgets.QMenu):
     """Opens where a plot is right-clicked; a double click resets the zoom, where there is one.
 
     Parameters
@@ -48,9 +39,11 @@ class PlotMenu(QMenu):
     save_asked : the user wants to save a picture of this plot, of this name.
     """
 
-    save_asked = Signal(QWidget, str)
+    save_asked = Signal(QtWidgets.QWidget, str)
 
-    def __init__(self, plot: QWidget, name: str, values: Callable[[QPoint], str], reset: Reset | None = None) -> None:
+    def __init__(
+        self, plot: QtWidgets.QWidget, name: str, values: Callable[[QPoint], str], reset: Reset | None = None
+    ) -> None:
         super().__init__(plot)
         self._plot, self._name = plot, name
         self._values, self._reset = values, reset
@@ -58,10 +51,10 @@ class PlotMenu(QMenu):
         if reset is not None:
             self.addAction(tr("Reset Zoom"), reset)
             self.addSeparator()
-            surface = plot.viewport() if isinstance(plot, QAbstractScrollArea) else plot
+            surface = plot.viewport() if isinstance(plot, QtWidgets.QAbstractScrollArea) else plot
             surface.installEventFilter(self)
         self.addAction(tr("Copy Values"), self._copy_values)
-        self.addAction(tr("Copy Picture"), lambda: QApplication.clipboard().setPixmap(plot.grab()))
+        self.addAction(tr("Copy Picture"), lambda: QtWidgets.QApplication.clipboard().setPixmap(plot.grab()))
         self.addAction(tr("Save Picture…"), self.ask_save)
         plot.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         plot.customContextMenuRequested.connect(self.open_at)
@@ -94,7 +87,7 @@ class PlotMenu(QMenu):
         return True
 
     def _copy_values(self) -> None:
-        QApplication.clipboard().setText(self._values(self.at))
+        QtWidgets.QApplication.clipboard().setText(self._values(self.at))
 
 
 def table_of(columns: Mapping[str, Sequence[object] | np.ndarray]) -> str:
@@ -110,7 +103,7 @@ def _cell(value: object) -> str:
     return "" if np.isnan(value) else f"{value:.6g}"
 
 
-def save_picture(plot: QWidget, path: Path) -> None:
+def save_picture(plot: QtWidgets.QWidget, path: Path) -> None:
     """Write the picture of a plot: lines into an SVG file, pixels into any other.
 
     Raises
@@ -127,17 +120,19 @@ def save_picture(plot: QWidget, path: Path) -> None:
         )
 
 
-def _draw_png(plot: QWidget, file: QIODevice) -> bool:
-    if not isinstance(plot, QGraphicsView):  # the head, which a graphics card draws, and what is wide anyway
+def _draw_png(plot: QtWidgets.QWidget, file: QIODevice) -> bool:
+    if not isinstance(
+        plot, QtWidgets.QGraphicsView
+    ):  # the head, which a graphics card draws, and what is wide anyway
         return plot.grab().save(file, "PNG")
     times = math.ceil(PICTURE_WIDTH / plot.width())  # what is small in the window is sharp in a document all the same
     picture = QPixmap(plot.size() * times)
     picture.setDevicePixelRatio(times)
-    QWidget.render(plot, picture, QPoint())
+    QtWidgets.QWidget.render(plot, picture, QPoint())
     return picture.save(file, "PNG")
 
 
-def _draw_svg(plot: QWidget, file: QIODevice) -> bool:
+def _draw_svg(plot: QtWidgets.QWidget, file: QIODevice) -> bool:
     generator = QSvgGenerator()
     generator.setOutputDevice(file)
     generator.setSize(plot.size())
@@ -147,13 +142,17 @@ def _draw_svg(plot: QWidget, file: QIODevice) -> bool:
     begun = painter.begin(generator)
     if begun:
         kept = (
-            [item for item in plot.items() if item.cacheMode() != NO_CACHE] if isinstance(plot, QGraphicsView) else []
+            [item for item in plot.items() if item.cacheMode() != NO_CACHE]
+            if isinstance(plot, QtWidgets.QGraphicsView)
+            else []
         )
         modes = [item.cacheMode() for item in kept]
         try:
             for item in kept:  # what is kept as pixels would be pixels here
                 item.setCacheMode(NO_CACHE)
-            QWidget.render(plot, painter, QPoint())  # a view of a scene has one of its own, of the scene alone
+            QtWidgets.QWidget.render(
+                plot, painter, QPoint()
+            )  # a view of a scene has one of its own, of the scene alone
         finally:
             painter.end()
             for item, mode in zip(kept, modes, strict=True):
@@ -161,7 +160,7 @@ def _draw_svg(plot: QWidget, file: QIODevice) -> bool:
     return begun
 
 
-def let_copy(table: QTableWidget) -> None:
+def let_copy(table: QtWidgets.QTableWidget) -> None:
     """Have a table copy itself, headings and all."""
     copy = QAction(tr("Copy Table"), table)
     copy.triggered.connect(lambda: QGuiApplication.clipboard().setText(text_of(table)))
@@ -171,7 +170,7 @@ def let_copy(table: QTableWidget) -> None:
     table.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
 
 
-def text_of(table: QTableWidget) -> str:
+def text_of(table: QtWidgets.QTableWidget) -> str:
     """Return what a table shows, as tab-separated text; columns that are hidden are left out."""
     columns = [k for k in range(table.columnCount()) if not table.isColumnHidden(k)]
     named = not table.verticalHeader().isHidden()  # each row has a name
@@ -183,5 +182,5 @@ def text_of(table: QTableWidget) -> str:
     return "".join("\t".join(line) + "\n" for line in lines)
 
 
-def _words(item: QTableWidgetItem | None) -> str:
+def _words(item: QtWidgets.QTableWidgetItem | None) -> str:
     return "" if item is None else item.text().replace("\t", " ").replace("\n", " ")

@@ -13,20 +13,13 @@ from phonemeanalyser.desktop.session.preset import A, B
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import SCOPES, Scope, TimeSpan
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets import builders
-from phonemeanalyser.desktop.widgets.figures import (
-    FIGURES,
-    LEAST_GAIN,
-    classes_in_words,
-    colour_of_gain,
-    figure_in_words,
-)
+from phonemeanalyser.desktop.widgets import builders, figures
 from phonemeengine.calibration.scores.scoring import Agreement
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
 OFFERED = (Scope.SEEN, Scope.WHOLE, Scope.LOADED)
-SHOWN = tuple(figure for figure in FIGURES if figure[1] != "vowel_accuracy")
+SHOWN = tuple(figure for figure in figures.FIGURES if figure[1] != "vowel_accuracy")
 """The figures that follow from counts alone, and so are there while a threshold is dragged."""
 N_CONFUSIONS = 2
 """Confusions that are offered as buttons."""
@@ -199,7 +192,7 @@ class ScoreStrip(QWidget):
         words = f"<span style='color:{colour}'>{words}</span>" if colour else words
         if not math.isnan(gain):
             shown = _signed(gain if name.endswith("per_s") else 100 * gain)
-            words += f" <span style='color:{colour_of_gain(sign * gain, self._theme)}'>{shown}</span>"
+            words += f" <span style='color:{figures.colour_of_gain(sign * gain, self._theme)}'>{shown}</span>"
         self.values[letter, name].setText(words.strip())
 
     def _about(
@@ -209,10 +202,10 @@ class ScoreStrip(QWidget):
         parts = [tr(tip), of_what]
         preset = self._session.preset.sides.get(letter)
         parts += [] if preset is None else [tr("Preset: {preset}{changed}").format(preset=preset.name, changed="")]
-        parts += [] if side is None or name != "macro_f1" else [classes_in_words(side)]
+        parts += [] if side is None or name != "macro_f1" else [figures.classes_in_words(side)]
         if before is not None:
             since = tr("Difference since this change began: it was {before}.")
-            parts.append(since.format(before=figure_in_words(name, float(getattr(before, name)))))
+            parts.append(since.format(before=figures.figure_in_words(name, float(getattr(before, name)))))
         return "".join(f"<p>{part}</p>" for part in parts if part)
 
     def _of_what(self) -> str:
@@ -241,8 +234,8 @@ class ScoreStrip(QWidget):
     def _show_changes(self, agreement: Agreement | None) -> None:
         before = self._score.before
         gains = {} if before is None or agreement is None else agreement.gains_over(before)
-        better = [(p, gain) for p, gain in gains.items() if gain > LEAST_GAIN]
-        worse = [(p, gain) for p, gain in reversed(gains.items()) if gain < -LEAST_GAIN]
+        better = [(p, gain) for p, gain in gains.items() if gain > figures.LEAST_GAIN]
+        worse = [(p, gain) for p, gain in reversed(gains.items()) if gain < -figures.LEAST_GAIN]
         for shown, text, found in (
             (self.gained, tr("Gained: {phonemes}"), better),
             (self.lost, tr("Lost: {phonemes}"), worse),
@@ -275,10 +268,10 @@ class ScoreStrip(QWidget):
 
 
 def _figure(agreement: Agreement, name: str) -> str:
-    text = figure_in_words(name, float(getattr(agreement, name)))
+    text = figures.figure_in_words(name, float(getattr(agreement, name)))
     if name != "changes_per_s":
         return text
-    return f"{text} ({figure_in_words(name, agreement.label_changes_per_s)})"
+    return f"{text} ({figures.figure_in_words(name, agreement.label_changes_per_s)})"
 
 
 def _gain(name: str, after: Agreement, before: Agreement) -> float:

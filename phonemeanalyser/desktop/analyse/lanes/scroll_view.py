@@ -12,14 +12,7 @@ from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QGridLayout, QWidget
 from typing_extensions import override
 
-from phonemeanalyser.desktop.analyse.lanes import feeling_lane
-from phonemeanalyser.desktop.analyse.lanes.sonagram import (
-    SIDE,
-    Overlaid,
-    SonagramChoices,
-    SonagramPainter,
-    side_width,
-)
+from phonemeanalyser.desktop.analyse.lanes import feeling_lane, sonagram
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.courses import Courses
@@ -60,7 +53,7 @@ class SonagramItem(pg.GraphicsObject):
         super().__init__()
         self._history, self._live, self._sonagram = session.history, session.live, session.sonagram
         self._formants, self._theme = session.formants, theme
-        self.painter = SonagramPainter(session.sonagram, theme)
+        self.painter = sonagram.SonagramPainter(session.sonagram, theme)
         self.n_drawn = 0
 
     def refresh(self) -> None:
@@ -87,7 +80,7 @@ class SonagramItem(pg.GraphicsObject):
         at = self._history.indices(first, last)
         seen, wanted = TimeSpan(axis.start, axis.end), "formants" in self._sonagram.overlays
         formants = self._live.formants_in(seen, self._formants.ceiling) if wanted else None
-        over = Overlaid(last - len(at), self._history.features(at), formants)
+        over = sonagram.Overlaid(last - len(at), self._history.features(at), formants)
         self.painter.paint_over(painter, row, axis, over)
 
 
@@ -154,7 +147,7 @@ def row_of(item: pg.GraphicsObject, painter: QPainter, n_drawn: int) -> tuple[QR
 class MarksAxis(LiveAxis):
     """The frequencies beside the live sonagram, written as beside that of a file."""
 
-    def __init__(self, painter: SonagramPainter, theme: Theme) -> None:
+    def __init__(self, painter: sonagram.SonagramPainter, theme: Theme) -> None:
         super().__init__("left")
         self._painter, self._theme = painter, theme
 
@@ -167,10 +160,10 @@ class MarksAxis(LiveAxis):
 class ColourBar(QWidget):
     """Shows which colour stands for which level, brightest on top, and the scales of what is drawn over them."""
 
-    def __init__(self, painter: SonagramPainter) -> None:
+    def __init__(self, painter: sonagram.SonagramPainter) -> None:
         super().__init__()
         self._painter = painter
-        self.setFixedWidth(SIDE)
+        self.setFixedWidth(sonagram.SIDE)
 
     @override
     def paintEvent(self, _event: Any) -> None:
@@ -192,7 +185,7 @@ class ScrollView(QWidget):
     cursor_label : reads out what lies under the mouse.
     """
 
-    def __init__(self, session: Session, courses: Courses, choices: SonagramChoices, theme: Theme) -> None:
+    def __init__(self, session: Session, courses: Courses, choices: sonagram.SonagramChoices, theme: Theme) -> None:
         super().__init__()
         self._session, self._history = session, session.history
         self.courses = courses
@@ -244,7 +237,7 @@ class ScrollView(QWidget):
         self._rows.setRowMinimumHeight(1, LANE_HEIGHT + height + COURSE_HEIGHT)
         self.sonagram.update()
         self._plots[0].getAxis("left").update()
-        self._colour_bar.setFixedWidth(side_width(self._session.sonagram))
+        self._colour_bar.setFixedWidth(sonagram.side_width(self._session.sonagram))
         self._colour_bar.update()
 
     def _make_plots(self) -> None:
@@ -287,7 +280,7 @@ class ScrollView(QWidget):
             plot.setXLink(sonagram)
         sonagram.setXRange(-SECONDS_SHOWN, 0, padding=0)
 
-    def _lay_out(self, choices: SonagramChoices) -> None:
+    def _lay_out(self, choices: sonagram.SonagramChoices) -> None:
         plots = self._rows = QGridLayout()
         plots.setSpacing(0)
         plots.addWidget(self._graphics, 0, 0, 2, 1)

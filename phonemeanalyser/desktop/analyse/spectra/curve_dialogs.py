@@ -14,20 +14,7 @@ from phonemeanalyser.desktop.session.curves import SUFFIX
 from phonemeanalyser.desktop.session.selection import NOTHING_SELECTED
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.tasks import TaskQueue, tried
-from phonemeanalyser.desktop.widgets.builders import (
-    CANCEL,
-    Button,
-    choice,
-    column,
-    dialog_buttons,
-    grid,
-    label,
-    named,
-    row,
-    silent,
-    toggle_button,
-    tool_button,
-)
+from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, is_labelled, read_recordings
 from phonemeengine.errors import AudioError, CurveError, EngineError
@@ -66,9 +53,9 @@ class GroupDialog(QDialog):
         self.setWindowTitle(tr("Average by Phoneme"))
         self.resize(*SIZE)
         self._sources = sources
-        self.source = choice(((source.words, k) for k, source in enumerate(sources)), tr("Recordings"))
-        self.speakers = named(QListWidget(), tr("Speakers"))
-        self.by = choice(
+        self.source = builders.choice(((source.words, k) for k, source in enumerate(sources)), tr("Recordings"))
+        self.speakers = builders.named(QListWidget(), tr("Speakers"))
+        self.by = builders.choice(
             (
                 (tr("One curve for each speaker"), speaker_spectra.Grouping.SPEAKER),
                 (tr("One curve for each phoneme"), speaker_spectra.Grouping.PHONEME),
@@ -77,23 +64,25 @@ class GroupDialog(QDialog):
             tr("Curves"),
         )
         self.phonemes: dict[Phoneme, QToolButton] = {}
-        self.told = label(wraps=True)
-        buttons = dialog_buttons(self, CANCEL, verb=tr("Add"))
-        self.add = next(b for b in buttons.buttons() if b is not buttons.button(Button.Cancel))
-        column(
+        self.told = builders.label(wraps=True)
+        buttons = builders.dialog_buttons(self, builders.CANCEL, verb=tr("Add"))
+        self.add = next(b for b in buttons.buttons() if b is not buttons.button(builders.Button.Cancel))
+        builders.column(
             self.source,
-            row(
-                label(tr("Speakers")),
+            builders.row(
+                builders.label(tr("Speakers")),
                 1,
-                tool_button(tr("All"), tr("Choose all speakers"), act=lambda: self._tick_all(True)),
-                tool_button(tr("None"), tr("Choose no speaker"), act=lambda: self._tick_all(False)),
+                builders.tool_button(tr("All"), tr("Choose all speakers"), act=lambda: self._tick_all(True)),
+                builders.tool_button(tr("None"), tr("Choose no speaker"), act=lambda: self._tick_all(False)),
             ),
             (self.speakers, 1),
-            row(
-                label(tr("Phonemes")),
+            builders.row(
+                builders.label(tr("Phonemes")),
                 1,
-                tool_button(tr("Vowels"), tr("Choose the vowels"), act=lambda: self.choose(speaker_spectra.VOWELS)),
-                tool_button(
+                builders.tool_button(
+                    tr("Vowels"), tr("Choose the vowels"), act=lambda: self.choose(speaker_spectra.VOWELS)
+                ),
+                builders.tool_button(
                     tr("All"), tr("Choose all phonemes but silence"), act=lambda: self.choose(tuple(Phoneme))
                 ),
             ),
@@ -127,7 +116,7 @@ class GroupDialog(QDialog):
     def choose(self, phonemes: tuple[Phoneme, ...]) -> None:
         """Choose these phonemes, as far as the recordings have them; silence only by its own button."""
         for phoneme, button in self.phonemes.items():
-            with silent(button):
+            with builders.silent(button):
                 button.setChecked(button.isEnabled() and phoneme in phonemes and phoneme is not Phoneme.SILENCE)
         self._tell()
 
@@ -136,7 +125,7 @@ class GroupDialog(QDialog):
         return self._sources[self.source.currentIndex()].utterances
 
     def _tick_all(self, on: bool) -> None:
-        with silent(self.speakers):
+        with builders.silent(self.speakers):
             for item in self.items():
                 item.setCheckState(Qt.CheckState.Checked if on else Qt.CheckState.Unchecked)
         self.speakers.viewport().update()
@@ -144,10 +133,10 @@ class GroupDialog(QDialog):
 
     def _phoneme_buttons(self) -> QWidget:
         body = QWidget()
-        places = grid(body, across=4, down=4)
+        places = builders.grid(body, across=4, down=4)
         others = (p for p in reversed(Phoneme) if p not in speaker_spectra.VOWELS)
         for k, phoneme in enumerate((*speaker_spectra.VOWELS, *others)):
-            button = self.phonemes[phoneme] = toggle_button(sound_name(phoneme), "")
+            button = self.phonemes[phoneme] = builders.toggle_button(sound_name(phoneme), "")
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             button.toggled.connect(self._tell)
             places.addWidget(button, k // COLUMNS, k % COLUMNS)
@@ -155,7 +144,7 @@ class GroupDialog(QDialog):
 
     def _show_source(self) -> None:
         said = {label.phoneme for utterance in self._utterances for label in utterance.labels}
-        with silent(self.speakers):
+        with builders.silent(self.speakers):
             self.speakers.clear()
             for name in sorted(set(speaker_spectra.speaker_names(self._utterances).values())):
                 item = QListWidgetItem(name, self.speakers)

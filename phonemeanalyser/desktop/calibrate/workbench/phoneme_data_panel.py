@@ -12,19 +12,7 @@ from phonemeanalyser.desktop.calibrate.workbench.phoneme_data_model import Phone
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import (
-    choice,
-    column,
-    label,
-    leave_wheel,
-    named,
-    offer,
-    open_at_once,
-    row,
-    silent,
-    tab_buttons,
-    tool_button,
-)
+from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.fields import NumberField
 from phonemeanalyser.desktop.widgets.plot_menu import let_copy
 from phonemeengine.calibration.workbench.phoneme_data_table import ALL_SPEAKERS, NumberRow, Sides
@@ -57,35 +45,35 @@ class PhonemeDataPanel(QtWidgets.QWidget):
         self._lines: list[tuple[NumberRow, int]] = []
         self._rows: tuple[NumberRow, ...] | None = None
         tip = tr("Numbers to edit: those of the preset, or those of a set for a range of pitch")
-        self.sets = choice((), tip, tip)
+        self.sets = builders.choice((), tip, tip)
         self.low, self.high = (
-            named(NumberField(LOWEST, HIGHEST, unit=" Hz"), tip, tip)
+            builders.named(NumberField(LOWEST, HIGHEST, unit=" Hz"), tip, tip)
             for tip in (
                 tr("Lowest pitch of the voices that this set is for"),
                 tr("Highest pitch of the voices that this set is for"),
             )
         )
-        self.add = tool_button(
+        self.add = builders.tool_button(
             tr("Add Set…"),
             tr(
                 "Fit the numbers to one speaker, or read them from a file, for voices in one range of pitch; Ctrl+Z "
                 "removes the set"
             ),
         )
-        self.remove = named(
+        self.remove = builders.named(
             QtWidgets.QPushButton(tr("Remove Set")), tip=tr("Remove this pitch set; Ctrl+Z restores it")
         )
-        self.fit_all = named(
+        self.fit_all = builders.named(
             QtWidgets.QPushButton(tr("Fit All Numbers")),
             tip=tr("Fit all thresholds to the loaded takes and recordings; Ctrl+Z restores the old ones"),
         )
-        self.fit_row = named(
+        self.fit_row = builders.named(
             QtWidgets.QPushButton(tr("Fit Number")),
             tip=tr("Fit the number of the selected row, with all others as they are"),
         )
-        self.state = label(wraps=True)
+        self.state = builders.label(wraps=True)
         self.in_use = QtWidgets.QLabel()
-        self.table = named(
+        self.table = builders.named(
             QtWidgets.QTableWidget(0, FIRST),
             "PhonemeData",
             tr(
@@ -110,12 +98,12 @@ class PhonemeDataPanel(QtWidgets.QWidget):
         """Show numbers, values and sets as they are now."""
         model, busy = self._model, self._model.fitting.busy
         own = [(tr("Preset"), 0)]
-        offer(self.sets, [*own, *((s.name, k) for k, s in enumerate(model.sets, 1))], model.chosen)
+        builders.offer(self.sets, [*own, *((s.name, k) for k, s in enumerate(model.sets, 1))], model.chosen)
         self.sets.setVisible(bool(model.sets))
         chosen = model.chosen_set
         for box, value in ((self.low, chosen and chosen.low), (self.high, chosen and chosen.high)):
             box.setVisible(chosen is not None)
-            with silent(box):
+            with builders.silent(box):
                 box.setValue(value or LOWEST)
         self.remove.setVisible(chosen is not None)
         why = model.why_no_fit
@@ -127,7 +115,7 @@ class PhonemeDataPanel(QtWidgets.QWidget):
         )
         self.state.setText("" if busy else why or model.words)
         self.state.setVisible(bool(self.state.text()))
-        with silent(self.table):
+        with builders.silent(self.table):
             if model.rows is not self._rows:
                 self._fill()
             self._fill_numbers()
@@ -275,13 +263,19 @@ class PhonemeDataPanel(QtWidgets.QWidget):
         heads.setFixedHeight(2 * heads.fontMetrics().lineSpacing() + 6)
         table.verticalHeader().setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.Fixed)
         let_copy(table)
-        open_at_once(self.add, QtWidgets.QMenu(self.add))
-        tab_buttons(self.fit_all, self.fit_row, self.remove)
+        builders.open_at_once(self.add, QtWidgets.QMenu(self.add))
+        builders.tab_buttons(self.fit_all, self.fit_row, self.remove)
         buttons = (self.sets, self.low, self.high, self.fit_all, self.fit_row, self.add, self.remove, 1)
-        column(
-            row(*buttons, spacing=4), self.state, self.in_use, (table, 1), on=self, margins=(6, 4, 4, 4), spacing=4
+        builders.column(
+            builders.row(*buttons, spacing=4),
+            self.state,
+            self.in_use,
+            (table, 1),
+            on=self,
+            margins=(6, 4, 4, 4),
+            spacing=4,
         )
-        leave_wheel(self)
+        builders.leave_wheel(self)
 
     def _connect(self) -> None:
         model = self._model

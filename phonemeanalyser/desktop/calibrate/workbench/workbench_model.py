@@ -15,12 +15,7 @@ from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.calibration.fits.suggestions import Suggestion, suggested_variables
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, read_recordings
 from phonemeengine.calibration.scores.scoring import ConfusedSegment, Confusion
-from phonemeengine.calibration.workbench.distributions import (
-    Distribution,
-    RankedVariable,
-    distribution_of,
-    ranked_variables,
-)
+from phonemeengine.calibration.workbench import distributions
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import AudioError, EngineError, UnknownPhonemeError
 from phonemeengine.execution import Progress, subrange
@@ -62,8 +57,8 @@ class WorkbenchModel(QObject):
         self.features: LabelledFeatures | None = None
         self.confusion: Confusion | None = None
         self.answered: tuple[LabelledUtterance, ...] = ()
-        self.distribution: Distribution | None = None
-        self.ranking: tuple[RankedVariable, ...] = ()
+        self.distribution: distributions.Distribution | None = None
+        self.ranking: tuple[distributions.RankedVariable, ...] = ()
         self.suggestions: tuple[Suggestion, ...] = ()
         self.preview: Suggestion | None = None
         self.variable = "m_szsch1"
@@ -86,7 +81,7 @@ class WorkbenchModel(QObject):
         return self._utterances
 
     @property
-    def shown(self) -> Distribution | None:
+    def shown(self) -> distributions.Distribution | None:
         """The distribution of the suggestion that is looked at, or of the chosen variable."""
         return self.distribution if self.preview is None else self.preview.distribution
 
@@ -234,7 +229,11 @@ class WorkbenchModel(QObject):
         own = Phoneme(DEFICITS.index(self.variable))
         return {p: s for p, s in self._preset.in_force.sensitivities.items() if p is not own}
 
-    def _take_look(self, features: LabelledFeatures, found: tuple[Distribution, tuple[RankedVariable, ...]]) -> None:
+    def _take_look(
+        self,
+        features: LabelledFeatures,
+        found: tuple[distributions.Distribution, tuple[distributions.RankedVariable, ...]],
+    ) -> None:
         self.distribution, self.ranking = found
         self._ranked_for = features
         self.distribution_changed.emit()
@@ -257,12 +256,12 @@ def _looked_at(
     features: LabelledFeatures,
     variable: str,
     sensitivities: Mapping[Phoneme, float],
-    ranking: tuple[RankedVariable, ...],
+    ranking: tuple[distributions.RankedVariable, ...],
     progress: Progress,
-) -> tuple[Distribution, tuple[RankedVariable, ...]]:
-    return distribution_of(features, variable, sensitivities), ranking or ranked_variables(
-        features, progress=progress
-    )
+) -> tuple[distributions.Distribution, tuple[distributions.RankedVariable, ...]]:
+    return distributions.distribution_of(
+        features, variable, sensitivities
+    ), ranking or distributions.ranked_variables(features, progress=progress)
 
 
 Read = tuple[tuple[LabelledUtterance, ...], list[str]]

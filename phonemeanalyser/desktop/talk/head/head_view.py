@@ -12,14 +12,8 @@ from typing_extensions import override
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.talk.head import head_surface
 from phonemeanalyser.desktop.talk.head.face_model import MovingHead
-from phonemeanalyser.desktop.talk.head.head_surface import (
-    GlSurface,
-    PictureSurface,
-    Scene,
-    has_graphics_card,
-    load_rendering,
-)
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.desktop.theme import Theme
@@ -66,7 +60,7 @@ class HeadView(QWidget):
         self.light: Light = LIGHT
         self.wireframe = False
         self.trouble = ""
-        self.surface: GlSurface | PictureSurface | None = None
+        self.surface: head_surface.GlSurface | head_surface.PictureSurface | None = None
         self._head = head
         background = QColor(theme.base)
         self._background = (background.redF(), background.greenF(), background.blueF())
@@ -92,7 +86,7 @@ class HeadView(QWidget):
         if self._morph_mesh is None:
             self._take_face()
         if self.surface is None and not self._work.busy:
-            self._work.submit(lambda _progress: load_rendering(), lambda _loaded: self._begin_drawing())
+            self._work.submit(lambda _progress: head_surface.load_rendering(), lambda _loaded: self._begin_drawing())
         if self.surface is None or self._shown == self._head.revision:
             return
         wait = self.surface.due - time.monotonic()
@@ -243,9 +237,13 @@ class HeadView(QWidget):
         self._stack.addWidget(self._message)
 
     def _begin_drawing(self) -> None:
-        self._begin(GlSurface(self._scene) if has_graphics_card() else PictureSurface(self._scene))
+        self._begin(
+            head_surface.GlSurface(self._scene)
+            if head_surface.has_graphics_card()
+            else head_surface.PictureSurface(self._scene)
+        )
 
-    def _begin(self, surface: GlSurface | PictureSurface) -> None:
+    def _begin(self, surface: head_surface.GlSurface | head_surface.PictureSurface) -> None:
         """Draw on this one from now on; a failure comes while it paints, and is dealt with afterwards."""
         self.surface = surface
         surface.error.connect(self._fall_back, Qt.ConnectionType.QueuedConnection)
@@ -259,8 +257,8 @@ class HeadView(QWidget):
             return
         self._stack.removeWidget(failed)
         failed.deleteLater()
-        if isinstance(failed, GlSurface):
-            self._begin(PictureSurface(self._scene))
+        if isinstance(failed, head_surface.GlSurface):
+            self._begin(head_surface.PictureSurface(self._scene))
             return
         self._give_up(sentence)
 
@@ -275,11 +273,11 @@ class HeadView(QWidget):
             self._morph_mesh, self.trouble = morph_mesh, ""  # another one may be drawn
             self.look(camera=Camera.facing(morph_mesh.mesh))
 
-    def _scene(self) -> Scene | None:
+    def _scene(self) -> head_surface.Scene | None:
         morph_mesh = self._head.face.morph_mesh
         if morph_mesh is None or self.camera is None:
             return None
-        return Scene(
+        return head_surface.Scene(
             morph_mesh,
             self._head.face.positions(),
             self._head.pose,

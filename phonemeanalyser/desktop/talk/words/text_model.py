@@ -14,15 +14,7 @@ from phonemeanalyser.desktop.session.time_view import TimeSpan, TimeView
 from phonemeanalyser.desktop.talk.drivers.driver_model import DriverModel
 from phonemeanalyser.desktop.talk.drivers.original_model import OriginalModel
 from phonemeanalyser.desktop.talk.drivers.performance_model import MeasuredSound
-from phonemeanalyser.desktop.talk.words.scripts import (
-    FoundWords,
-    ScriptedSound,
-    aligned,
-    spoken,
-    words_beside,
-    words_in,
-    write_speech,
-)
+from phonemeanalyser.desktop.talk.words import scripts
 from phonemeanalyser.desktop.talk.words.sound_words import KnownWords, RunningSpeech, SoundWords, WordEdits
 from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice, VoiceModel
 from phonemeanalyser.desktop.talk.words.written_text import ALIGN_AGAIN, SPEAK_AGAIN, WrittenText, said_in, same_words
@@ -53,8 +45,8 @@ class TextTools:
     speak : has a voice speak a text of a language.
     """
 
-    align: Callable[[ScriptedSound, Progress], Utterance] = aligned
-    speak: Callable[[str, str, VoiceChoice], Iterator[SpokenSentence]] = spoken
+    align: Callable[[scripts.ScriptedSound, Progress], Utterance] = scripts.aligned
+    speak: Callable[[str, str, VoiceChoice], Iterator[SpokenSentence]] = scripts.spoken
 
 
 class TextModel(QObject):
@@ -113,7 +105,7 @@ class TextModel(QObject):
         self.written = WrittenText()
         self.lexicon_path: Path | None = None
         self.literal = False
-        self.refused: ScriptedSound | None = None
+        self.refused: scripts.ScriptedSound | None = None
         self._lexicon: Lexicon | None = None
         self.speakers: tuple[str, ...] = ()
         self.speaker = ""
@@ -241,7 +233,7 @@ class TextModel(QObject):
             self.error.emit(tr("No audio file is open; open the recording of this script first, then the script."))
             return
         self._looking.replace(
-            lambda _progress: words_in(path, sound, duration, speaker),
+            lambda _progress: scripts.words_in(path, sound, duration, speaker),
             lambda found: self._take_script(sound, replace(found, script=path)),
         )
 
@@ -267,7 +259,7 @@ class TextModel(QObject):
             self.error.emit(tr("No audio file is open; open the recording of this text first, then align."))
         elif self._may_read():
             self._align(
-                ScriptedSound(
+                scripts.ScriptedSound(
                     sound,
                     session.channel,
                     session.preset.in_force,
@@ -303,7 +295,7 @@ class TextModel(QObject):
         if self._may_read(by_voice=True):
             text, language, voice = self.text, self._language_of_text, self._voice
             self._saving.submit(
-                lambda _progress: write_speech(self.tools.speak(text, language, voice), language, path),
+                lambda _progress: scripts.write_speech(self.tools.speak(text, language, voice), language, path),
                 lambda _: self.speech_saved.emit(str(path)),
             )
 
@@ -346,7 +338,7 @@ class TextModel(QObject):
 
     # -- inside -------------------------------------------------------------------------------------------
 
-    def _align(self, script: ScriptedSound) -> None:
+    def _align(self, script: scripts.ScriptedSound) -> None:
         self.refused = None
         self._work.submit(
             lambda progress: self.tools.align(script, progress), lambda found: self._take_aligned(script, found)
@@ -373,19 +365,19 @@ class TextModel(QObject):
         sound, duration = self._session.path, self._session.source.duration
         if sound is not None:
             self._looking.replace(
-                lambda _progress: words_beside(sound, duration),
+                lambda _progress: scripts.words_beside(sound, duration),
                 lambda found: self._take_beside(sound, found, with_script=with_script),
             )
         elif with_script:
             self.written.take("", None)
 
-    def _take_beside(self, sound: Path, found: FoundWords, *, with_script: bool) -> None:
+    def _take_beside(self, sound: Path, found: scripts.FoundWords, *, with_script: bool) -> None:
         if sound == self.words.sound:
             if with_script:
                 self.written.take(found.text, found.utterance)
             self._take_found(sound, replace(found, text=found.text if found.text == self.text else ""))
 
-    def _take_found(self, sound: Path, found: FoundWords) -> None:
+    def _take_found(self, sound: Path, found: scripts.FoundWords) -> None:
         if sound != self.words.sound:
             return
         if found.script != self._script:
@@ -399,7 +391,7 @@ class TextModel(QObject):
         if found.utterance is not None and self.words.utterance is None:
             self.words.put(KnownWords(found.utterance, text=self.text or said_in(found.utterance)))
 
-    def _take_script(self, sound: Path, found: FoundWords) -> None:
+    def _take_script(self, sound: Path, found: scripts.FoundWords) -> None:
         """Take what a script says that the user has opened, instead of what was known before."""
         if sound != self.words.sound:
             return
@@ -410,7 +402,7 @@ class TextModel(QObject):
         self._take_found(sound, found)
         self.changed.emit()
 
-    def _take_aligned(self, script: ScriptedSound, found: Utterance) -> None:
+    def _take_aligned(self, script: scripts.ScriptedSound, found: Utterance) -> None:
         if script.sound != self.words.sound:
             return
         if is_other_text(found) and not script.accepted:
