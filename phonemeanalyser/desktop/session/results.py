@@ -18,7 +18,7 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.framing import LEAD
 from phonemeengine.errors import EngineError
 from phonemeengine.execution import Progress
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.phonemes import NO_PHONEME
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.scores import Trace

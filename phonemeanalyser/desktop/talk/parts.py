@@ -20,7 +20,7 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeanalyser.desktop.widgets.lanes import Lane
 from phonemeengine.mouth.files.io import FaceFiles
-from phonemeengine.mouth.head import Framing, Head
+from phonemeengine.mouth.morph_mesh import Framing, Head
 
 
 def talk_commands(talking: TalkModel, dialogs: TalkDialogs) -> Commands:

@@ -234,12 +234,12 @@
             <translation>&lt;p&gt;Eine Zeile je Phonem: Histogramm, Kasten von Quartil zu Quartil, Median und eine Linie von Minimum bis Maximum.&lt;/p&gt;&lt;p&gt;Schwelle ziehen oder mit Links und Rechts verschieben (Umschalt: feiner); Auf und Ab wählen eine aus. Klick auf eine Zahl: Schwelle auf diesen Wert setzen.&lt;/p&gt;</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/expression/channels.py" />
+            <location filename="../../../engine/phonemeengine/mouth/expression/streams.py" />
             <source>[classes] has {arkit} twice; name it once</source>
             <translation>In [classes] steht {arkit} zweimal; nur einmal angeben</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/expression/channels.py" />
+            <location filename="../../../engine/phonemeengine/mouth/expression/streams.py" />
             <source>[classes] lacks {missing}; put each blend shape into a class</source>
             <translation>In [classes] fehlt {missing}; jedem Blendshape eine Klasse geben</translation>
         </message>
@@ -344,7 +344,7 @@
             <translation>Eine Regelbedingung besteht aus Variable, Vergleich und Zahl, etwa m_a1 &lt; 3.5; gefunden {text}</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/recognition/confidence.py" />
+            <location filename="../../../engine/phonemeengine/recognition/scores.py" />
             <source>a confidence has 1..{most_points} rising scores and as many shares that do not fall, all of 0..1; fit it again</source>
             <translation>Eine Konfidenzkurve braucht 1..{most_points} steigende Werte und ebenso viele nicht fallende Anteile, alle in 0..1; neu anpassen</translation>
         </message>
@@ -469,7 +469,7 @@
             <translation>Eine Beschriftung dauert mindestens {shortest} ms; ein längeres Segment auswählen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/label.py" />
+            <location filename="../../../engine/phonemeengine/labels/utterance.py" />
             <source>a label must not end before it starts</source>
             <translation>Eine Beschriftung darf nicht enden, bevor es beginnt</translation>
         </message>
@@ -599,7 +599,7 @@
             <translation>eine Zahl in {low}..{high}</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
+            <location filename="../../../engine/phonemeengine/performance/recording.py" />
             <source>a number is missing, found {value}</source>
             <translation>eine Zahl fehlt, gefunden {value}</translation>
         </message>
@@ -664,7 +664,7 @@
             <translation>eine Pinyin-Tabelle</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/recognition/phoneme_data.py" />
+            <location filename="../../../engine/phonemeengine/recognition/rules.py" />
             <source>a pitch set has no name; give it one, such as woman</source>
             <translation>Ein Grundfrequenz-Satz hat keinen Namen; einen angeben, etwa woman</translation>
         </message>
@@ -784,7 +784,7 @@
             <translation>ein Text im LIST-Block gibt mehr Byte an, als die Liste hat</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
+            <location filename="../../../engine/phonemeengine/performance/recording.py" />
             <source>a text is missing, found {value}</source>
             <translation>ein Text fehlt, gefunden {value}</translation>
         </message>
@@ -839,7 +839,7 @@
             <translation>eine ganze Zahl ab 0</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
+            <location filename="../../../engine/phonemeengine/performance/recording.py" />
             <source>a whole number is missing, found {value}</source>
             <translation>eine ganze Zahl fehlt, gefunden {value}</translation>
         </message>
@@ -1334,7 +1334,7 @@
             <translation>Aragonesisch</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/expression/channels.py" />
+            <location filename="../../../engine/phonemeengine/mouth/expression/streams.py" />
             <source>ARKit has no blend shape {name}; name one such as mouthSmile or mouthSmileLeft</source>
             <translation>ARKit hat keinen Blendshape {name}; einen angeben wie mouthSmile oder mouthSmileLeft</translation>
         </message>
@@ -4450,7 +4450,7 @@
             <translation>Dauert {duration} s, verarbeitet werden höchstens {longest} s</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
+            <location filename="../../../engine/phonemeengine/mouth/exports/gltf.py" />
             <source>it names number {buffer} of its buffers, and there are {begins}; export it again</source>
             <translation>Nummer {buffer} der Puffer wird genannt, es gibt {begins}; neu exportieren</translation>
         </message>
@@ -4505,7 +4505,7 @@
             <translation>Die Puffer enthalten mehr als {largest_buffer} MB; weniger exportieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
+            <location filename="../../../engine/phonemeengine/mouth/exports/gltf.py" />
             <source>its buffers lie outside it</source>
             <translation>die Puffer liegen außerhalb der Datei</translation>
         </message>
@@ -4525,12 +4525,12 @@
             <translation>COLOR_0 hat die Form {shape} bei {n} Eckpunkten; neu exportieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
+            <location filename="../../../engine/phonemeengine/performance/recording.py" />
             <source>its components are no list of numbers</source>
             <translation>Ihre Komponenten sind keine Liste von Zahlen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
+            <location filename="../../../engine/phonemeengine/performance/recording.py" />
             <source>its components do not fit its shapes</source>
             <translation>Ihre Komponenten passen nicht zu ihren Formen</translation>
         </message>
@@ -4555,7 +4555,7 @@
             <translation>Die Datei {name} gehört schon zu {name_2}; eine umbenennen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
+            <location filename="../../../engine/phonemeengine/mouth/exports/gltf.py" />
             <source>its first buffer lies outside it</source>
             <translation>der erste Puffer liegt außerhalb der Datei</translation>
         </message>
@@ -4645,7 +4645,7 @@
             <translation>{key} muss aus {default} Zahlen bestehen, gefunden {found}; neu exportieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
+            <location filename="../../../engine/phonemeengine/mouth/exports/gltf.py" />
             <source>its {name} are no list</source>
             <translation>{name} sind keine Liste</translation>
         </message>
@@ -4825,7 +4825,7 @@
             <translation>Soll und erkannte Phoneme</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/label.py" />
+            <location filename="../../../engine/phonemeengine/labels/utterance.py" />
             <source>labels must end within a day ({last_end} s)</source>
             <translation>Beschriftungen müssen innerhalb eines Tages enden ({last_end} s)</translation>
         </message>
@@ -10015,7 +10015,7 @@
             <translation>Die geladenen Aufnahmen haben keine brauchbaren Beschriftungen.</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/dsp/filters.py" />
+            <location filename="../../../engine/phonemeengine/dsp/spectrum.py" />
             <source>the maximum of a normalised spectrum must be above 0, got {maximum}; choose another</source>
             <translation>Das Maximum eines normalisierten Spektrums muss über 0 liegen, gefunden {maximum}; anderes wählen</translation>
         </message>
@@ -10043,6 +10043,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>The microphone has recorded nothing since Clear. Use it first, then add its average.</source>
             <translation>Seit dem Leeren hat das Mikrofon nichts aufgenommen. Zuerst aufnehmen, dann den Mittelwert hinzufügen.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
+            <source>The microphone is back: {status}.</source>
+            <translation>Das Mikrofon ist zurück: {status}.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
@@ -10130,7 +10135,7 @@
             <translation>Das nächste von neun mittleren Spektren, wie bei uLipSync: Mundformen {percent} % bei ausgelassenen Sprechern.</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/encoder/runtime.py" />
+            <location filename="../../../engine/phonemeengine/encoder/onnx.py" />
             <source>the network cannot be opened ({error}); get it anew</source>
             <translation>Das Netz lässt sich nicht öffnen ({error}); neu beschaffen</translation>
         </message>
@@ -10220,7 +10225,7 @@
             <translation>Die Laute einer Äußerung müssen innerhalb ihrer {duration} s liegen, gefunden {start}..{end} s; Zeiten korrigieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/recognition/phoneme_data.py" />
+            <location filename="../../../engine/phonemeengine/recognition/rules.py" />
             <source>the pitch set {name} must range upwards within {lowest}..{highest} Hz, got {low}..{high} Hz; correct it</source>
             <translation>Der Grundfrequenz-Satz {name} muss aufsteigend in {lowest}..{highest} Hz liegen, gefunden {low}..{high} Hz; korrigieren</translation>
         </message>
@@ -10570,7 +10575,7 @@
             <translation>die Sprechstimme für {tag} hat keine Laute für diesen Text; seine Sprache prüfen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/table_file.py" />
+            <location filename="../../../engine/phonemeengine/performance/recording.py" />
             <source>the weights of a recording do not fit its frames</source>
             <translation>die Gewichte einer Aufnahme passen nicht zu ihren Frames</translation>
         </message>
@@ -10585,7 +10590,7 @@
             <translation>Das OpenGL des Fensters ist nicht benutzbar ({error}); Grafiktreiber aktualisieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
+            <location filename="../../../engine/phonemeengine/performance/recording.py" />
             <source>the words of its clips are missing</source>
             <translation>die Wörter ihrer Clips fehlen</translation>
         </message>
@@ -10630,7 +10635,7 @@
             <translation>Noch keine Beschriftungen. Eine Audiodatei mit Beschriftungsdatei öffnen, Takes aufnehmen, unter Kalibrieren beschriftete Aufnahmen laden oder Hinzufügen &gt; Ordner wählen.</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
+            <location filename="../../../engine/phonemeengine/mouth/exports/gltf.py" />
             <source>there are no morph targets in it; put them into one file first, with: phonemeanalyser movestates export {path} TARGET... -o face.glb</source>
             <translation>Keine Morph-Targets enthalten; zuerst in einer Datei zusammenfassen mit: phonemeanalyser movestates export {path} TARGET... -o face.glb</translation>
         </message>
@@ -11075,7 +11080,7 @@
             <translation>Zeitleiste: Wörter und Phone über der Zeit</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/label.py" />
+            <location filename="../../../engine/phonemeengine/labels/utterance.py" />
             <source>times must be seconds from 0</source>
             <translation>Zeiten müssen Sekunden ab 0 sein</translation>
         </message>
@@ -12040,6 +12045,16 @@
             <translation>{clock} · Bild {picture}</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{cost} in the real-time model</source>
+            <translation>{cost} beim Echtzeitmodell</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{cost} in the small network</source>
+            <translation>{cost} beim kleinen Netz</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/mouth/files/io.py" />
             <source>{error}, or rename a target's file</source>
             <translation>{error}, oder die Datei eines Targets umbenennen</translation>
@@ -12065,7 +12080,7 @@
             <translation>{file} wurde verschoben oder gelöscht; die Analyse bleibt sichtbar</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/phoneme_map.py" />
+            <location filename="../../../engine/phonemeengine/labels/phone_sets.py" />
             <source>{file}, line {line}: {row} stands there twice; remove one of the rows</source>
             <translation>{file}, Zeile {line}: {row} steht zweimal da; eine der Zeilen entfernen</translation>
         </message>
@@ -12095,7 +12110,7 @@
             <translation>{file}, {place}: Ein Lexikon enthält einzelne Wörter, gefunden {word}; korrigieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/label.py" />
+            <location filename="../../../engine/phonemeengine/labels/utterance.py" />
             <source>{file}, {place}: labels must not overlap, found {following} after {raw} of {place_2}; move one of their borders</source>
             <translation>{file}, {place}: Beschriftungen dürfen sich nicht überlappen, gefunden {following} nach {raw} in {place_2}; eine Grenze verschieben</translation>
         </message>
@@ -12110,22 +12125,22 @@
             <translation>{file}, {place}: Die Klasse muss ein Phonem sein, die Zelle ist leer; ausfüllen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/label.py" />
+            <location filename="../../../engine/phonemeengine/labels/utterance.py" />
             <source>{file}, {place}: the label at {raw} lies beyond the end of the sound, which lasts {duration} s; check whether the labels belong to this sound</source>
             <translation>{file}, {place}: Die Beschriftung bei {raw} liegt hinter dem Ende der Audiodatei, die {duration} s dauert; prüfen, ob die Beschriftungen zu ihr gehören</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/label.py" />
+            <location filename="../../../engine/phonemeengine/labels/utterance.py" />
             <source>{file}, {place}: {fault}, found {raw}; correct the label</source>
             <translation>{file}, {place}: {fault}, gefunden {raw}; Beschriftung korrigieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/phoneme_map.py" />
+            <location filename="../../../engine/phonemeengine/labels/phone_sets.py" />
             <source>{file}: a mapping begins with format = {format}, found {document}; if a newer version of the program wrote it, use that</source>
             <translation>{file}: Eine Zuordnung beginnt mit format = {format}, gefunden {document}; stammt sie von einer neueren Programmversion, diese verwenden</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/phoneme_map.py" />
+            <location filename="../../../engine/phonemeengine/labels/phone_sets.py" />
             <source>{file}: a mapping is a table [phonemes] with lines like "AA" = "a"; write it like that</source>
             <translation>{file}: Eine Zuordnung ist eine Tabelle [phonemes] mit Zeilen wie "AA" = "a"; so schreiben</translation>
         </message>
@@ -12200,7 +12215,7 @@
             <translation>{file}: kein TextGrid; in Praat als TextGrid-Textdatei speichern</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/phoneme_map.py" />
+            <location filename="../../../engine/phonemeengine/labels/phone_sets.py" />
             <source>{file}: this is no TOML file ({error}); correct it</source>
             <translation>{file}: Keine TOML-Datei ({error}); korrigieren</translation>
         </message>
@@ -12215,7 +12230,7 @@
             <translation>{file}: Dieses TextGrid gehört zu {labelled} s Audio, die Audiodatei dauert aber {duration} s; prüfen, ob beide zusammengehören, oder das TextGrid in Praat kürzen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/labels/phoneme_map.py" />
+            <location filename="../../../engine/phonemeengine/labels/phone_sets.py" />
             <source>{file}: {name} must stand for one of {phonemes_by_label}, found {phoneme}; correct it</source>
             <translation>{file}: {name} muss für eins stehen von {phonemes_by_label}, gefunden {phoneme}; korrigieren</translation>
         </message>
@@ -12570,7 +12585,7 @@
             <translation>{name} muss ein Faktor in {limits} sein, gefunden {factor}; anderen wählen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/recognition/phoneme_data.py" />
+            <location filename="../../../engine/phonemeengine/recognition/rules.py" />
             <source>{name} must be a finite number within ±3.4e38, got {value}; correct it</source>
             <translation>{name} muss eine endliche Zahl in ±3.4e38 sein, gefunden {value}; korrigieren</translation>
         </message>
@@ -12895,7 +12910,7 @@
             <translation>{name}: Der Prozess für diese Datei ist zweimal abgestürzt; einzeln versuchen oder weglassen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/head.py" />
+            <location filename="../../../engine/phonemeengine/mouth/morph_mesh.py" />
             <source>{name}: the program's own head cannot be read; install the program again</source>
             <translation>{name}: Der eingebaute Kopf ist nicht lesbar; Programm neu installieren</translation>
         </message>
@@ -12920,7 +12935,7 @@
             <translation>{name}: Für den Sprach-Encoder fehlt onnxruntime; phonemeanalyser[encoder] installieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
+            <location filename="../../../engine/phonemeengine/performance/recording.py" />
             <source>{name}: the weights of a recording may have {largest_weights} MB, these have {nbytes} MB; cut it into sentences</source>
             <translation>{name}: Die Gewichte einer Aufnahme dürfen {largest_weights} MB belegen, diese {nbytes} MB; in Sätze schneiden</translation>
         </message>
@@ -13015,7 +13030,7 @@
             <translation>{name}: Dies ist ein Mesh ohne Morph-Targets; 'movestates export' verwenden</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
+            <location filename="../../../engine/phonemeengine/mouth/exports/gltf.py" />
             <source>{name}: this is no face that can be moved; name a .glb, .vrm or .gltf (glTF 2.0), .obj or .x</source>
             <translation>{name}: Kein Gesicht, das sich bewegen lässt; .glb, .vrm oder .gltf (glTF 2.0), .obj oder .x angeben</translation>
         </message>
@@ -13105,7 +13120,7 @@
             <translation>{name}: {error}; eine mit „Kurve speichern“ erzeugte Datei wählen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
+            <location filename="../../../engine/phonemeengine/mouth/exports/gltf.py" />
             <source>{name}: {fault}; save the face as one GLB file with everything in it</source>
             <translation>{name}: {fault}; das Gesicht als eine GLB-Datei mit allem darin speichern</translation>
         </message>

@@ -22,7 +22,7 @@ from phonemeanalyser.desktop.widgets.lanes import TimeAxis
 from phonemeanalyser.desktop.widgets.plot import broken_line
 from phonemeengine.arrays import Float32Array, Float64Array, UInt32Array
 from phonemeengine.dsp.sonagram import NARROW_BAND, WIDE_BAND, FrequencyAxis
-from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import Features
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE
 
 COLOUR_MAPS = (USUAL_COLOURS, "inferno", "magma", "plasma", "cividis", tr_noop("grey"))
