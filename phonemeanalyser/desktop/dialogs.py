@@ -23,7 +23,7 @@ from phonemeanalyser.desktop.settings import read_paths, remember
 from phonemeanalyser.desktop.tasks import tried
 from phonemeanalyser.desktop.widgets.builders import answer_of, input_dialog
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, audio_filters
-from phonemeanalyser.desktop.widgets.plot_menu import save_picture
+from phonemeanalyser.desktop.widgets.plot import save_picture
 from phonemeengine import __version__
 from phonemeengine.features.variables import Variable, readable_name
 from phonemeengine.presets.files import DEFAULT_PRESET, PRESET_SUFFIXES, load_preset

@@ -17,7 +17,7 @@ from phonemeanalyser.desktop.settings import in_program, keep, outside_program
 from phonemeanalyser.desktop.theme import format_clock
 from phonemeanalyser.desktop.widgets.builders import column, label, named, row
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, FileDrops, audio_filters
-from phonemeanalyser.desktop.widgets.plot_menu import let_copy
+from phonemeanalyser.desktop.widgets.plot import let_copy
 from phonemeanalyser.desktop.widgets.preset_picker import Sections
 from phonemeengine.conversion.work import targets_of
 from phonemeengine.errors import EngineError

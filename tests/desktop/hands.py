@@ -15,7 +15,7 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
+from phonemeanalyser.desktop.widgets.plot import PlotMenu
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE
 from tests.conftest import ROOT

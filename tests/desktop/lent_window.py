@@ -23,7 +23,7 @@ from phonemeanalyser.desktop.talk.head.face_model import HEADS
 from phonemeanalyser.desktop.talk.head.head_view import HeadView
 from phonemeanalyser.desktop.talk.page import TalkPage
 from phonemeanalyser.desktop.theme import apply_theme
-from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
+from phonemeanalyser.desktop.widgets.plot import PlotMenu
 from phonemeanalyser.desktop.window import ANALYSE, CALIBRATE, TALK, MainWindow
 from phonemeengine.audio.tone import Tone
 from phonemeengine.mouth.files.io import FaceFiles

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication
 from phonemeanalyser.desktop.app import FirstPaint
 from phonemeanalyser.desktop.calibrate.page import CalibrationPage
 from phonemeanalyser.desktop.talk.page import TalkPage
-from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
+from phonemeanalyser.desktop.widgets.plot import PlotMenu
 from tests.desktop.hands import FileAnswers, choose, click, copied, press, settle, shown
 
 CONTROL = Qt.KeyboardModifier.ControlModifier

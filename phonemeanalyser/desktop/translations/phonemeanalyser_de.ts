@@ -1609,7 +1609,7 @@
             <translation>Beste Passung (Viterbi)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Best rate</source>
             <translation>Beste Rate</translation>
         </message>
@@ -1944,17 +1944,17 @@
             <translation>Kanal der Datei, der analysiert wird</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Channel of the microphone</source>
             <translation>Kanal des Mikrofons</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Channel that is analysed and recorded; 1 + 2: mixed for analysis, recorded in stereo</source>
             <translation>Kanal, der analysiert und aufgenommen wird; 1 + 2: für die Analyse gemischt, in Stereo aufgenommen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Channel {k}</source>
             <translation>Kanal {k}</translation>
         </message>
@@ -2404,7 +2404,7 @@
             <translation>Kopie gespeichert als {path}, ohne {lost}: Das Format kann das nicht speichern. Ein TextGrid behält alles.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/widgets/plot_menu.py" />
+            <location filename="../../../phonemeanalyser/desktop/widgets/plot.py" />
             <source>Copy Table</source>
             <translation>Tabelle kopieren</translation>
         </message>
@@ -2414,7 +2414,7 @@
             <translation>Tabelle als tabulatorgetrennten Text kopieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/widgets/plot_menu.py" />
+            <location filename="../../../phonemeanalyser/desktop/widgets/plot.py" />
             <source>Copy Values</source>
             <translation>Werte kopieren</translation>
         </message>
@@ -2489,7 +2489,7 @@
             <translation>Kurven für Unity, Godot und Webseiten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>custom</source>
             <translation>eigener</translation>
         </message>
@@ -2534,7 +2534,7 @@
             <translation>Decoder</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Default microphone</source>
             <translation>Standardmikrofon</translation>
         </message>
@@ -2870,7 +2870,7 @@
             <translation>Dauer der gemittelten Frames in Sekunden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Duration of the sweep</source>
             <translation>Dauer des Gleittons</translation>
         </message>
@@ -2940,7 +2940,7 @@
             <translation>Encoder, Vorausschau {ms} ms</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>End frequency of the sweep</source>
             <translation>Endfrequenz des Gleittons</translation>
         </message>
@@ -3365,7 +3365,7 @@
             <translation>Geänderte Dateien bleiben unter anderem Namen erhalten, zum Beispiel {name}.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Fill Gaps with Silence (and Mark Them)</source>
             <translation>Lücken mit Stille füllen (und markieren)</translation>
         </message>
@@ -3430,7 +3430,7 @@
             <translation>Fest</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>First formant</source>
             <translation>Erster Formant</translation>
         </message>
@@ -3520,7 +3520,7 @@
             <translation>Fünf Mundformen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>FLAC (half the size)</source>
             <translation>FLAC (halb so groß)</translation>
         </message>
@@ -3720,17 +3720,17 @@
             <translation>Frequenzbänder</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Frequency of the sine wave</source>
             <translation>Frequenz des Sinustons</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Frequency of the sine wave on a logarithmic scale</source>
             <translation>Frequenz des Sinustons auf logarithmischer Skala</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Frequency of the sine wave; arrow keys: by a semitone, page keys: by an octave</source>
             <translation>Frequenz des Sinustons; Pfeiltasten: um einen Halbton, Bildtasten: um eine Oktave</translation>
         </message>
@@ -3745,7 +3745,7 @@
             <translation>von</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>from </source>
             <translation>von </translation>
         </message>
@@ -3775,7 +3775,7 @@
             <translation>Grundfrequenz einer Stimme, 60 bis 500 Hz; ein höherer Ton hat keine</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Fundamental frequency of the vowel</source>
             <translation>Grundfrequenz des Vokals</translation>
         </message>
@@ -4220,7 +4220,7 @@
             <translation>Verbessert. Die letzte Spalte ist kreuzvalidiert: Reihum bleibt ein Teil ({left_out}) beim Anpassen außen vor und dient zum Messen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>in </source>
             <translation>in </translation>
         </message>
@@ -4765,7 +4765,7 @@
             <translation>Keyframes gespeichert als {path}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Kind of tone</source>
             <translation>Art des Tons</translation>
         </message>
@@ -4975,7 +4975,7 @@
             <translation>Pegel</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>level </source>
             <translation>Pegel </translation>
         </message>
@@ -5030,7 +5030,7 @@
             <translation>Pegel der dunkelsten Farbe in dBFS, für jeden Ton gleich</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Level of the highest peak</source>
             <translation>Pegel der höchsten Spitze</translation>
         </message>
@@ -5355,7 +5355,7 @@
             <translation>logarithmisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Long Buffer: 50 ms, for a Busy Computer</source>
             <translation>Langer Puffer: 50 ms, für ausgelastete Computer</translation>
         </message>
@@ -5735,7 +5735,7 @@
             <translation>Median von {variable} bei {sound}: {value}.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Medium Buffer: 20 ms</source>
             <translation>Mittlerer Puffer: 20 ms</translation>
         </message>
@@ -5785,7 +5785,7 @@
             <translation>Verfahren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Microphone</source>
             <translation>Mikrofon</translation>
         </message>
@@ -5795,7 +5795,7 @@
             <translation>Mikrofon</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Microphone (name, sound system): {name}</source>
             <translation>Mikrofon (Name, Tonsystem): {name}</translation>
         </message>
@@ -6535,12 +6535,12 @@
             <translation>nicht aktiv</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/course_lanes.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_painter.py" />
             <source>Not measured in this sound</source>
             <translation>In dieser Aufnahme nicht gemessen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/course_lanes.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_painter.py" />
             <source>Not measured yet</source>
             <translation>Noch nicht gemessen</translation>
         </message>
@@ -7760,7 +7760,7 @@
             <translation>Nur Erkennung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Record</source>
             <translation>Aufnehmen</translation>
         </message>
@@ -7770,7 +7770,7 @@
             <translation>Take von {name} aufnehmen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Record from the microphone to {folder} (R)</source>
             <translation>Vom Mikrofon nach {folder} aufnehmen (R)</translation>
         </message>
@@ -8040,12 +8040,12 @@
             <translation>Audiogeräte neu suchen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Rescan audio devices</source>
             <translation>Audiogeräte neu suchen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Rescan audio devices (F5)</source>
             <translation>Audiogeräte neu suchen (F5)</translation>
         </message>
@@ -8080,7 +8080,7 @@
             <translation>Auf den Wert der Preset-Datei zurücksetzen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/widgets/plot_menu.py" />
+            <location filename="../../../phonemeanalyser/desktop/widgets/plot.py" />
             <source>Reset Zoom</source>
             <translation>Zoom zurücksetzen</translation>
         </message>
@@ -8260,12 +8260,12 @@
             <translation>Wie der Kopf</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Sample rate</source>
             <translation>Abtastrate</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Sample rate of the microphone; best: 44 100 Hz, if the device supports it</source>
             <translation>Abtastrate des Mikrofons; beste: 44 100 Hz, falls das Gerät sie kann</translation>
         </message>
@@ -8365,7 +8365,7 @@
             <translation>Phoneme speichern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Save Phonemes with the Recording (.csv)</source>
             <translation>Phoneme zur Aufnahme speichern (.csv)</translation>
         </message>
@@ -8400,7 +8400,7 @@
             <translation>Preset speichern unter…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Save Recordings to {folder}…</source>
             <translation>Aufnahmen speichern in {folder}…</translation>
         </message>
@@ -8610,7 +8610,7 @@
             <translation>Suche läuft im Hintergrund…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Second formant</source>
             <translation>Zweiter Formant</translation>
         </message>
@@ -8835,7 +8835,7 @@
             <translation>Preset ausliefern…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Short Buffer: 10 ms, Lowest Latency</source>
             <translation>Kurzer Puffer: 10 ms, geringste Latenz</translation>
         </message>
@@ -9350,7 +9350,7 @@
             <translation>Anfang (s)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Start frequency of the sweep</source>
             <translation>Startfrequenz des Gleittons</translation>
         </message>
@@ -9415,7 +9415,7 @@
             <translation>Öffnen des Ordners abbrechen; die Takes des vorigen bleiben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Stop recording (R)</source>
             <translation>Aufnahme beenden (R)</translation>
         </message>
@@ -10905,7 +10905,7 @@
             <translation>Diese Beschriftungen haben mehrere Sprecher; einen neben dem Text wählen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Third formant</source>
             <translation>Dritter Formant</translation>
         </message>
@@ -11095,7 +11095,7 @@
             <translation>bis</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>to </source>
             <translation>bis </translation>
         </message>
@@ -11370,7 +11370,7 @@
             <translation>Als Take verwenden für</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Use Default Microphone if Disconnected</source>
             <translation>Bei Verbindungsverlust Standardmikrofon nutzen</translation>
         </message>
@@ -11565,7 +11565,7 @@
             <translation>Lautstärke: Spitzenpegel im aktuellen Fenster von 46.4 ms, Vollaussteuerung 1</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>Vowel</source>
             <translation>Vokal</translation>
         </message>
@@ -11610,7 +11610,7 @@
             <translation>Demo ansehen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>WAV (RF64 beyond 4 GB)</source>
             <translation>WAV (RF64 über 4 GB)</translation>
         </message>
@@ -12415,7 +12415,7 @@
             <translation>{name} (Netz, künstlicher Darsteller)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/source_bars.py" />
             <source>{name} (not connected)</source>
             <translation>{name} (nicht verbunden)</translation>
         </message>
@@ -13215,7 +13215,7 @@
             <translation>{n}, {speakers} Sprecher</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/course_lanes.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_painter.py" />
             <source>{n} further variables of these rules</source>
             <translation>{n} weitere Variablen dieser Regeln</translation>
         </message>
@@ -13375,7 +13375,7 @@
             <translation>{path}: Nicht lesbar ({error}); anderen Ordner wählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/widgets/plot_menu.py" />
+            <location filename="../../../phonemeanalyser/desktop/widgets/plot.py" />
             <source>{path}: cannot be written ({fault}); choose another folder</source>
             <translation>{path}: kann nicht geschrieben werden ({fault}); einen anderen Ordner wählen</translation>
         </message>

@@ -14,7 +14,7 @@ from typing_extensions import override
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import AT_RIGHT, CENTRED, PHONEME_COLOURS, Theme, draw_text, set_size
-from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeanalyser.desktop.widgets.plot import PlotMenu, table_of
 from phonemeengine.calibration.workbench.distributions import Distribution, Quartiles
 from phonemeengine.phonemes import Phoneme
 

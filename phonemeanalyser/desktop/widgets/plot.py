@@ -1,22 +1,196 @@
-"""A plot with a heading, axes with units, and a cursor that reads out what lies under it."""
+"""A plot with a heading, axes with units, and a cursor that reads out values; and what copies plots and tables."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import ArrayLike
-from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QPainter, QPen, QPolygonF
-from PySide6.QtWidgets import QGraphicsItem, QLabel, QWidget
+from PySide6 import QtGui, QtWidgets
+from PySide6.QtCore import QEvent, QIODevice, QObject, QPoint, QPointF, QRectF, QSaveFile, Qt, Signal
+from PySide6.QtSvg import QSvgGenerator
 from typing_extensions import override
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import ElidedLabel, Wrapping, column, row
+from phonemeanalyser.desktop.widgets import builders
 from phonemeengine.arrays import Float64Array
+from phonemeengine.errors import EngineError
+
+PICTURE_WIDTH = 1200
+"""Pixels that a picture has at least from left to right."""
+NO_CACHE = QtWidgets.QGraphicsItem.CacheMode.NoCache
+Reset = Callable[[], object]
+
+
+class PlotMenu(QtWidgets.QMenu):
+    """Opens where a plot is right-clicked; a double click resets the zoom, where there is one.
+
+    Parameters
+    ----------
+    plot : what is drawn on.
+    name : what its picture is called.
+    values : gives, as tab-separated text, what lies where the menu was opened (a point of the plot, pixels).
+    reset : shows the whole again.
+
+    Attributes
+    ----------
+    at : where it was opened, a point of the plot.
+
+    Signals
+    -------
+    save_asked : the user wants to save a picture of this plot, of this name.
+    """
+
+    save_asked = Signal(QtWidgets.QWidget, str)
+
+    def __init__(
+        self, plot: QtWidgets.QWidget, name: str, values: Callable[[QPoint], str], reset: Reset | None = None
+    ) -> None:
+        super().__init__(plot)
+        self._plot, self._name = plot, name
+        self._values, self._reset = values, reset
+        self.at = QPoint()
+        if reset is not None:
+            self.addAction(tr("Reset Zoom"), reset)
+            self.addSeparator()
+            surface = plot.viewport() if isinstance(plot, QtWidgets.QAbstractScrollArea) else plot
+            surface.installEventFilter(self)
+        self.addAction(tr("Copy Values"), self._copy_values)
+        self.addAction(tr("Copy Picture"), lambda: QtWidgets.QApplication.clipboard().setPixmap(plot.grab()))
+        self.addAction(tr("Save Picture…"), self.ask_save)
+        plot.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        plot.customContextMenuRequested.connect(self.open_at)
+
+    def put_first(self, acts: Mapping[str, Callable[[], object]]) -> list[QtGui.QAction]:
+        """Offer other things before those that all plots offer, and return their entries."""
+        first = self.actions()[0]
+        entries = [QtGui.QAction(name, self) for name in acts]
+        for entry, act in zip(entries, acts.values(), strict=True):
+            entry.triggered.connect(act)
+        self.insertActions(first, entries)
+        self.insertSeparator(first)
+        return entries
+
+    def ask_save(self) -> None:
+        """Have the user asked where a picture of the plot is to be saved."""
+        self.save_asked.emit(self._plot, self._name)
+
+    def open_at(self, at: QPoint) -> None:
+        """Open at a point of the plot."""
+        self.at = at
+        self.popup(self._plot.mapToGlobal(at))
+
+    @override
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+        if not (isinstance(event, QtGui.QMouseEvent) and event.type() == QEvent.Type.MouseButtonDblClick):
+            return False
+        if event.button() == Qt.MouseButton.LeftButton and self._reset is not None:
+            self._reset()
+        return True
+
+    def _copy_values(self) -> None:
+        QtWidgets.QApplication.clipboard().setText(self._values(self.at))
+
+
+def table_of(columns: Mapping[str, Sequence[object] | np.ndarray]) -> str:
+    """Write columns of equal length, each under its name and unit, as tab-separated text; NaN is an empty cell."""
+    rows = zip(*columns.values(), strict=True)
+    lines = ["\t".join(columns), *("\t".join(map(_cell, row)) for row in rows)]
+    return "\n".join(lines) + "\n"
+
+
+def _cell(value: object) -> str:
+    if not isinstance(value, (float, np.floating)):
+        return str(value)
+    return "" if np.isnan(value) else f"{value:.6g}"
+
+
+def save_picture(plot: QtWidgets.QWidget, path: Path) -> None:
+    """Write the picture of a plot: lines into an SVG file, pixels into any other.
+
+    Raises
+    ------
+    EngineError : it cannot be written.
+    """
+    file = QSaveFile(str(path))
+    write = _draw_svg if path.suffix.lower() == ".svg" else _draw_png
+    if not (file.open(QIODevice.OpenModeFlag.WriteOnly) and write(plot, file) and file.commit()):
+        raise EngineError(
+            tr("{path}: cannot be written ({fault}); choose another folder").format(
+                path=path.name, fault=file.errorString()
+            )
+        )
+
+
+def _draw_png(plot: QtWidgets.QWidget, file: QIODevice) -> bool:
+    if not isinstance(
+        plot, QtWidgets.QGraphicsView
+    ):  # the head, which a graphics card draws, and what is wide anyway
+        return plot.grab().save(file, "PNG")
+    times = math.ceil(PICTURE_WIDTH / plot.width())  # what is small in the window is sharp in a document all the same
+    picture = QtGui.QPixmap(plot.size() * times)
+    picture.setDevicePixelRatio(times)
+    QtWidgets.QWidget.render(plot, picture, QPoint())
+    return picture.save(file, "PNG")
+
+
+def _draw_svg(plot: QtWidgets.QWidget, file: QIODevice) -> bool:
+    generator = QSvgGenerator()
+    generator.setOutputDevice(file)
+    generator.setSize(plot.size())
+    generator.setViewBox(plot.rect())
+    generator.setTitle(plot.accessibleName())
+    painter = QtGui.QPainter()
+    begun = painter.begin(generator)
+    if begun:
+        kept = (
+            [item for item in plot.items() if item.cacheMode() != NO_CACHE]
+            if isinstance(plot, QtWidgets.QGraphicsView)
+            else []
+        )
+        modes = [item.cacheMode() for item in kept]
+        try:
+            for item in kept:  # what is kept as pixels would be pixels here
+                item.setCacheMode(NO_CACHE)
+            QtWidgets.QWidget.render(
+                plot, painter, QPoint()
+            )  # a view of a scene has one of its own, of the scene alone
+        finally:
+            painter.end()
+            for item, mode in zip(kept, modes, strict=True):
+                item.setCacheMode(mode)
+    return begun
+
+
+def let_copy(table: QtWidgets.QTableWidget) -> None:
+    """Have a table copy itself, headings and all."""
+    copy = QtGui.QAction(tr("Copy Table"), table)
+    copy.triggered.connect(lambda: QtGui.QGuiApplication.clipboard().setText(text_of(table)))
+    key = QtGui.QShortcut(QtGui.QKeySequence(QtGui.QKeySequence.StandardKey.Copy), table, copy.trigger)
+    key.setContext(Qt.ShortcutContext.WidgetShortcut)
+    table.addAction(copy)
+    table.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+
+
+def text_of(table: QtWidgets.QTableWidget) -> str:
+    """Return what a table shows, as tab-separated text; columns that are hidden are left out."""
+    columns = [k for k in range(table.columnCount()) if not table.isColumnHidden(k)]
+    named = not table.verticalHeader().isHidden()  # each row has a name
+    heading = [_words(table.horizontalHeaderItem(k)) for k in columns]
+    lines = [["", *heading] if named else heading]
+    for row in range(table.rowCount()):
+        cells = [_words(table.item(row, k)) for k in columns]
+        lines.append([_words(table.verticalHeaderItem(row)), *cells] if named else cells)
+    return "".join("\t".join(line) + "\n" for line in lines)
+
+
+def _words(item: QtWidgets.QTableWidgetItem | None) -> str:
+    return "" if item is None else item.text().replace("\t", " ").replace("\n", " ")
+
 
 READOUTS_PER_SECOND = 30
 
@@ -30,9 +204,9 @@ class LiveCurve(pg.PlotCurveItem):
     """
 
     _bounds = QRectF()
-    _lines: tuple[QPolygonF, ...] = ()
+    _lines: tuple[QtGui.QPolygonF, ...] = ()
 
-    def __init__(self, pen: QPen) -> None:
+    def __init__(self, pen: QtGui.QPen) -> None:
         super().__init__()
         self.setPen(pen)
 
@@ -44,7 +218,7 @@ class LiveCurve(pg.PlotCurveItem):
         self.update()
 
     @override
-    def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
+    def paint(self, painter: QtGui.QPainter, _option: Any, _widget: Any = None) -> None:
         painter.setPen(self.opts["pen"])
         for line in self._lines:
             painter.drawPolyline(line)
@@ -67,7 +241,7 @@ class LiveCurve(pg.PlotCurveItem):
         return None, None
 
 
-def broken_line(x: Float64Array, y: Float64Array) -> tuple[QPolygonF, ...]:
+def broken_line(x: Float64Array, y: Float64Array) -> tuple[QtGui.QPolygonF, ...]:
     """Return a line as polygons for a painter, broken where a value is no number; both of shape (n,)."""
     known = np.isfinite(y)
     if known.all():
@@ -76,9 +250,9 @@ def broken_line(x: Float64Array, y: Float64Array) -> tuple[QPolygonF, ...]:
     return tuple(polyline_of(x[a:b], y[a:b]) for a, b in edges.tolist())
 
 
-def polyline_of(x: Float64Array, y: Float64Array) -> QPolygonF:
+def polyline_of(x: Float64Array, y: Float64Array) -> QtGui.QPolygonF:
     """Return points as a polygon for a painter, both of shape (n,)."""
-    line = QPolygonF()
+    line = QtGui.QPolygonF()
     line.resize(len(x))
     if len(x):
         points = pg.functions.ndarray_from_qpolygonf(line)
@@ -98,7 +272,7 @@ class LiveAxis(pg.AxisItem):
 
     def __init__(self, side: str) -> None:
         super().__init__(side)
-        self.setCacheMode(QGraphicsItem.CacheMode.DeviceCoordinateCache)  # painting an axis costs half a ms
+        self.setCacheMode(QtWidgets.QGraphicsItem.CacheMode.DeviceCoordinateCache)  # painting an axis costs half a ms
         self.enableAutoSIPrefix(False)
 
     @override
@@ -185,10 +359,10 @@ class RangeBox(pg.ViewBox):
         self.draw(*(self.mapToView(point).x() for point in (event.buttonDownPos(), event.pos())))
 
 
-class ReadOut(QLabel):
+class ReadOut(QtWidgets.QLabel):
     """Says at a plot's upper right corner what lies under the mouse; hidden while that is nothing."""
 
-    def __init__(self, plot: QWidget, theme: Theme) -> None:
+    def __init__(self, plot: QtWidgets.QWidget, theme: Theme) -> None:
         super().__init__(plot)
         self._plot = plot
         self.setStyleSheet(f"color: {theme.text}; background: {theme.raised}; padding: 2px 5px; border-radius: 3px")
@@ -204,7 +378,7 @@ class ReadOut(QLabel):
         self.move(self._plot.width() - self.width() - 14, 8)
 
 
-class Plot(QWidget):
+class Plot(QtWidgets.QWidget):
     """A heading with controls at its right, and a plot below it.
 
     Parameters
@@ -237,7 +411,7 @@ class Plot(QWidget):
         self.graphics.setAccessibleName(title)
         self.cursor_label = ReadOut(self.graphics, theme)
         self._cursor = pg.InfiniteLine(angle=90, pen=pg.mkPen(theme.faint, style=Qt.PenStyle.DashLine))
-        self._hint = QLabel(tr("No data yet: press Play, or click in the recording"))
+        self._hint = QtWidgets.QLabel(tr("No data yet: press Play, or click in the recording"))
         self._style(axes)
         self._lay_out(title, tip)
         self._follow_mouse()
@@ -261,7 +435,7 @@ class Plot(QWidget):
         above = [item.widget() for item in items if item is not None]
         reached = [w for w in above if w is not None and w.focusPolicy() & Qt.FocusPolicy.TabFocus]
         for one, other in pairwise([*reached, self.graphics]):
-            QWidget.setTabOrder(one, other)
+            QtWidgets.QWidget.setTabOrder(one, other)
         super().showEvent(event)
 
     @override
@@ -282,14 +456,14 @@ class Plot(QWidget):
         self._cursor.setVisible(False)
 
     def _lay_out(self, title: str, tip: str) -> None:
-        self.heading = bold(ElidedLabel(title, asks=True))
+        self.heading = bold(builders.ElidedLabel(title, asks=True))
         self.heading.setToolTip(tip or title)
-        self.beside, self.header = row((self.heading, 1), spacing=4), row(1, spacing=4)
-        above = Wrapping(self.beside, self.header, (6, 3, 6, 1))
-        self._body = column(above, (self.graphics, 1), on=self, spacing=0)
+        self.beside, self.header = builders.row((self.heading, 1), spacing=4), builders.row(1, spacing=4)
+        above = builders.Wrapping(self.beside, self.header, (6, 3, 6, 1))
+        self._body = builders.column(above, (self.graphics, 1), on=self, spacing=0)
         self._hint.setStyleSheet(f"color: {self.theme.faint}; background: transparent")
         self._hint.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        column(self._hint, on=self.graphics, margins=(60, 0, 12, 40))  # beside the axes
+        builders.column(self._hint, on=self.graphics, margins=(60, 0, 12, 40))  # beside the axes
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._hint.setWordWrap(True)
 
@@ -303,7 +477,7 @@ class Plot(QWidget):
         self.refresh_read_out()
 
 
-def bold(label: QLabel) -> QLabel:
+def bold(label: QtWidgets.QLabel) -> QtWidgets.QLabel:
     """Have a label write boldly."""
     font = label.font()
     font.setBold(True)

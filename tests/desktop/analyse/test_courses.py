@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from phonemeanalyser.desktop.analyse.lanes.course_lanes import course_of
+from phonemeanalyser.desktop.analyse.lanes.file_painter import course_of
 from phonemeanalyser.desktop.analyse.lanes.sonagram import usual_course_of, usual_of
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 

@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QWidget
 from pytestqt.qtbot import QtBot
 
-from phonemeanalyser.desktop.analyse.transport.tone_bar import OF_KIND, SLIDER_STEPS, ToneBar
+from phonemeanalyser.desktop.analyse.transport.source_bars import OF_KIND, SLIDER_STEPS, ToneBar
 from phonemeanalyser.desktop.theme import DARK
 from phonemeengine.audio.tone import VOWEL_FORMANTS, Formant, Tone, ToneKind
 from tests.desktop.hands import type_number

@@ -9,7 +9,7 @@ from PySide6.QtCore import QSettings
 
 from phonemeanalyser.desktop.app import Desktop, make_application
 from phonemeanalyser.desktop.session.microphone import Microphone
-from phonemeanalyser.desktop.talk.head import head_view
+from phonemeanalyser.desktop.talk.head import head_surface
 from phonemeanalyser.desktop.window import TALK
 from phonemeengine.audio.output import ClockOutput
 from tools.bench.desktop import live_for
@@ -21,8 +21,8 @@ PATIENCE = 60
 def main() -> None:
     """Take the software for a graphics card, show the head in both themes, and print what is seen in its middle."""
     app = make_application()
-    software = not head_view.has_graphics_card()
-    head_view.has_graphics_card = lambda: True
+    software = not head_surface.has_graphics_card()
+    head_surface.has_graphics_card = lambda: True
     with tempfile.TemporaryDirectory() as folder:
         settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
         settings.setValue("language", "en")

@@ -6,7 +6,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QTableWidget, QTableWidgetItem
 from pytestqt.qtbot import QtBot
 
-from phonemeanalyser.desktop.widgets.plot_menu import let_copy
+from phonemeanalyser.desktop.widgets.plot import let_copy
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 

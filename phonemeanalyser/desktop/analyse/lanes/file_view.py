@@ -11,10 +11,9 @@ from PySide6.QtGui import QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEv
 from PySide6.QtWidgets import QLabel, QSizePolicy, QToolTip, QWidget
 from typing_extensions import override
 
-from phonemeanalyser.desktop.analyse.lanes.course_lanes import CourseLanes, HeldLine
 from phonemeanalyser.desktop.analyse.lanes.feeling_lane import feeling_tip, feeling_words
 from phonemeanalyser.desktop.analyse.lanes.file_layout import LANE, LEFT, FileLayout
-from phonemeanalyser.desktop.analyse.lanes.file_painter import FilePainter
+from phonemeanalyser.desktop.analyse.lanes.file_painter import CourseLanes, FilePainter, HeldLine
 from phonemeanalyser.desktop.analyse.lanes.sonagram import SonagramChoices
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr

@@ -28,11 +28,12 @@ from phonemeanalyser.desktop.widgets.plot import (
     READOUTS_PER_SECOND,
     LiveAxis,
     LiveCurve,
+    PlotMenu,
     ReadOut,
     live_axes,
+    table_of,
     unlink_hidden_axes,
 )
-from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.arrays import Float32Array
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD

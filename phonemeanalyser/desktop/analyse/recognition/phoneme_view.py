@@ -14,7 +14,7 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import pitch_set_in_words, pitch_set_name
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import AT_RIGHT, CENTRED, PHONEME_COLOURS, Theme, draw_text, set_size
-from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeanalyser.desktop.widgets.plot import PlotMenu, table_of
 from phonemeengine.analyser import latest_reading
 from phonemeengine.features.variables import readable_name
 from phonemeengine.phonemes import Phoneme

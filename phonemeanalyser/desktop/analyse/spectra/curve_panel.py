@@ -15,7 +15,7 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.curves import CurveTable
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets import builders
-from phonemeanalyser.desktop.widgets.plot_menu import let_copy
+from phonemeanalyser.desktop.widgets.plot import let_copy
 from phonemeengine.inspection.averaged_spectrum import AveragedSpectrum
 from phonemeengine.settings import SAMPLE_RATE, STAGES, Filter
 

@@ -11,8 +11,7 @@ from PySide6.QtWidgets import QSlider
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import label, named, toggle_button
-from phonemeanalyser.desktop.widgets.plot import LiveCurve, Plot
-from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeanalyser.desktop.widgets.plot import LiveCurve, Plot, PlotMenu, table_of
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE, WINDOW
 

@@ -9,8 +9,7 @@ from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QActionGroup, QColor, QIcon, QImage, QKeyEvent, QKeySequence, QMouseEvent, QPainter
 from typing_extensions import override
 
-from phonemeanalyser.desktop.analyse.transport.microphone_bar import MicrophoneBar, RecordButton
-from phonemeanalyser.desktop.analyse.transport.tone_bar import ToneBar
+from phonemeanalyser.desktop.analyse.transport.source_bars import MicrophoneBar, RecordButton, ToneBar
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import QUIETEST_DB, Playback, SourceKind

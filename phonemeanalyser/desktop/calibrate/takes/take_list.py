@@ -15,7 +15,7 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import CENTRED, PHONEME_COLOURS, Theme, draw_text
 from phonemeanalyser.desktop.widgets.builders import style_list
 from phonemeanalyser.desktop.widgets.keyboard import give_letters_to_page
-from phonemeanalyser.desktop.widgets.plot_menu import let_copy
+from phonemeanalyser.desktop.widgets.plot import let_copy
 from phonemeengine.calibration.takes.quality import TakeReport
 from phonemeengine.calibration.takes.take import Take
 

@@ -19,7 +19,7 @@ from phonemeanalyser.desktop.theme import CENTRED, PHONEME_COLOURS, Theme, draw_
 from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.keyboard import KEYS, ArrowKeys
 from phonemeanalyser.desktop.widgets.lanes import BoundaryDrag, Lane, TimeAxis, wave_pixels
-from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeanalyser.desktop.widgets.plot import PlotMenu, table_of
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.dsp.waveform_peaks import Peaks
 from phonemeengine.phonemes import Phoneme

@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import AT_RIGHT, CENTRED, PHONEME_COLOURS, Theme, draw_text, letters_on
 from phonemeanalyser.desktop.widgets.lanes import Lane, lane_of_frames, names_in_lanes
-from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeanalyser.desktop.widgets.plot import PlotMenu, table_of
 from phonemeanalyser.desktop.widgets.timeline import Chapter, Timeline, TimelineView
 from phonemeengine.arrays import Int64Array
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, Confusion

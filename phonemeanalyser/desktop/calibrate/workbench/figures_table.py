@@ -15,7 +15,7 @@ from phonemeanalyser.desktop.session.preset import A, B
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import style_list
 from phonemeanalyser.desktop.widgets.figures import FIGURES, colour_of_gain, figure_in_words
-from phonemeanalyser.desktop.widgets.plot_menu import let_copy
+from phonemeanalyser.desktop.widgets.plot import let_copy
 from phonemeengine.arrays import Int64Array
 from phonemeengine.calibration.scores.comparison import Gain, Gains
 from phonemeengine.calibration.scores.scoring import Scores

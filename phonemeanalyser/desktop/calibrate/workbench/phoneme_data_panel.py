@@ -14,7 +14,7 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets import builders
 from phonemeanalyser.desktop.widgets.fields import NumberField
-from phonemeanalyser.desktop.widgets.plot_menu import let_copy
+from phonemeanalyser.desktop.widgets.plot import let_copy
 from phonemeengine.calibration.workbench.phoneme_data_table import ALL_SPEAKERS, NumberRow, Sides
 from phonemeengine.dsp.pitch import HIGHEST, LOWEST
 from phonemeengine.phonemes import Phoneme

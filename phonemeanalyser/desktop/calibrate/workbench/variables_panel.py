@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import choice, column, label, named, silent, style_list, tab_buttons
 from phonemeanalyser.desktop.widgets.distribution import phoneme_of_rule
 from phonemeanalyser.desktop.widgets.keyboard import KEYS
-from phonemeanalyser.desktop.widgets.plot_menu import let_copy
+from phonemeanalyser.desktop.widgets.plot import let_copy
 from phonemeengine.calibration.fits.suggestions import Suggestion
 from phonemeengine.features.variables import Variable, readable_name
 from phonemeengine.phonemes import Phoneme

@@ -18,7 +18,7 @@ from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import ElidedLabel, column, named, row, spoken_button, tool_button
-from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeanalyser.desktop.widgets.plot import PlotMenu, table_of
 from phonemeanalyser.rendering.camera import LIGHT, Camera, Light
 from phonemeengine.mouth.morph_mesh import Framing, MorphMesh
 

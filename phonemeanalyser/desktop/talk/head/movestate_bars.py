@@ -10,7 +10,7 @@ from typing_extensions import override
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme, set_size
-from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeanalyser.desktop.widgets.plot import PlotMenu, table_of
 from phonemeengine.mouth.blendshape_names import EYELIDS
 
 ROW, COLUMNS, GAP = 16, 2, 14

@@ -16,7 +16,7 @@ from phonemeanalyser.desktop.talk.words import spoken_lanes
 from phonemeanalyser.desktop.talk.words.felt_text import USUAL
 from phonemeanalyser.desktop.theme import CENTRED, Theme, draw_text
 from phonemeanalyser.desktop.widgets import builders, lanes
-from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeanalyser.desktop.widgets.plot import PlotMenu, table_of
 from phonemeengine.labels.utterance import LabelUnit
 from phonemeengine.performance.driver import UsedUnit
 
