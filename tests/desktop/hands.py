@@ -177,7 +177,7 @@ def turn_wheel(
 
 def settle() -> None:
     """Let the window lay itself out and paint: all that waits in the event loop is done."""
-    for _ in range(5):
+    for _ in range(10):  # what is painted first may still fill its words in
         QtWidgets.QApplication.sendPostedEvents()
         QtWidgets.QApplication.processEvents()
 
