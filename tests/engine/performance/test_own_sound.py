@@ -168,9 +168,9 @@ def test_what_was_said_takes_no_memory(table: PerformanceTable) -> None:
     own, sentence = OwnSound(table), spoken(*["ma", "ti", "mi", "tu", "ta"] * 2)
     kept = []
     tracemalloc.start()
-    for _ in range(3):
+    for _ in range(5):
         deque(own.follow([sentence] * 2), maxlen=0)
         gc.collect()
         kept.append(tracemalloc.get_traced_memory()[0])
     tracemalloc.stop()
-    assert kept[-1] - kept[-2] < 2 * 4000  # bytes
+    assert min(after - before for before, after in pairwise(kept)) < 2 * 4000  # bytes; other threads allocate, too
