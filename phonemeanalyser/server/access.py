@@ -1,9 +1,7 @@
-"""Who may connect to a server: programs of this machine, or clients with the token.
+"""Who may connect to a server: programs of this machine, or clients with the token; and what it grants them.
 
 Any web page may open connections to this machine, too. So without a token a request must name the
 machine as itself (against DNS rebinding), and pages may ask only where the user names their origin.
-
-And where a server is usually reached, what it grants those who ask it, and how it refuses.
 """
 
 import hmac

@@ -1,7 +1,7 @@
 """A mesh and its movestates, what of both a .3dm file holds, and the heads that ship with the program.
 
-Six more move the tongue as `TONGUE` names them; they are made of where its vertices lie when a head is loaded.
-The origin is where a head turns on its neck; a unit is a decimetre. Made by `python -m tools.head`.
+`python -m tools.head` makes the heads. Six movestates of the tongue, named by `TONGUE`, are added when a head is
+loaded, from where the vertices of its tongue lie. A head turns about its origin, on the neck; a unit is a decimetre.
 """
 
 import itertools
