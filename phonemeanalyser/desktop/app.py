@@ -320,7 +320,7 @@ def _data_folder() -> Path:
 
 def _begin(desktop: Desktop, file: Path | None, last_sound: Path, channel: Channel | None) -> None:
     """Go on with what the window need not wait for."""
-    _ = desktop.talking, desktop.calibration  # which take up what the last start left
+    _ = desktop.talking, desktop.calibration  # both restore what the last start kept
     if file is None or not desktop.window.opens_as_sound(file):
         desktop.window.dialogs.open_sound(last_sound)
     if file is not None:

@@ -29,7 +29,7 @@ FRAME_MS = 1000 * FRAME_PERIOD
 class LookAheadSlider(QSlider):
     """Sets the look-ahead of a microphone's recogniser, in frames of 10 ms.
 
-    The words follow the first paint event, since they open the real-time model, for which no window waits.
+    The words appear after the first paint event: they need the real-time model, and the window opens before it.
 
     Attributes
     ----------
